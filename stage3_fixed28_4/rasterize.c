@@ -1,0 +1,214 @@
+/* Stage 3: 28.4 fixed-point vertices and edges; texels are rounded, no longer cut.
+ * Seen in perspective, u and v are not linear on the screen, but 1/z, u/z and v/z are: they are
+ * stepped from pixel to pixel, and u = (u/z) / (1/z) is found at each one.
+ * After Chris Hecker, "Perspective Texture Mapping" III, Game Developer, 1995: see README.md. */
+#include <assert.h>
+#include "common/image.h"
+#include "common/vertex.h"
+
+static double min(double a, double b) { return a < b ? a : b; }
+static double max(double a, double b) { return a > b ? a : b; }
+
+/* The three quantities that are linear on the screen: at a place, or their change over a step. */
+struct linear {
+    double one_over_z, u_over_z, v_over_z;
+};
+
+static struct linear add(struct linear a, struct linear b)
+{
+    return (struct linear){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
+                           a.v_over_z + b.v_over_z};
+}
+
+static struct linear scale(double factor, struct linear a)
+{
+    return (struct linear){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+}
+
+/* A vertex in this stage's numbers. */
+struct corner {
+    int x, y; /* 28.4 pixels */
+    struct linear at;
+};
+
+#define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
+
+/* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */
+static int floor_to_int(double value)
+{
+    const int cut = (int)value;
+    return cut - (cut > value);
+}
+
+static int round_to_28_4(double c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
+
+/* From top to bottom, then left to right: the six orders of three vertices draw the same frame. */
+static void corners_setup(struct corner c[3], const struct vertex v[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const double one_over_z = 1.0 / v[i].z;
+        const struct linear at = {one_over_z, one_over_z * v[i].u, one_over_z * v[i].v};
+        const struct corner next = {round_to_28_4(v[i].x), round_to_28_4(v[i].y), at};
+        int n = i; /* how many lie above it */
+        for (; n > 0 && (next.y < c[n - 1].y || (next.y == c[n - 1].y && next.x < c[n - 1].x)); n--)
+            c[n] = c[n - 1];
+        c[n] = next;
+    }
+}
+
+struct range { double low, high; }; /* what u or v cannot leave inside the triangle */
+#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses below, too little to change a texel */
+
+/* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
+ * max the range of the triangle's three: from lo - 1/2 to hi + 1/2. A u that is constant, on the
+ * border of two texels, has hi = lo - 1: both become the one that is inside the texture. */
+static struct range range_setup(float a, float b, float c, int size)
+{
+    int lo = floor_to_int(min(a, min(b, c)) + 0.5);
+    int hi = -floor_to_int(0.5 - max(a, max(b, c)));
+    if (hi < lo)
+        lo = hi = hi == size - 1 ? hi : lo;
+    return (struct range){lo - 0.5 + TEXEL_MARGIN, hi + 0.5 - TEXEL_MARGIN};
+}
+
+static double hold(double value, struct range r) { return min(max(value, r.low), r.high); }
+
+/* How the linear quantities change over the triangle, and what 1/z, u and v stay within there. */
+struct gradients {
+    double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
+    struct linear dx, dy; /* change a pixel to the right, a pixel down */
+    double one_over_z_min;
+    struct range u, v;
+};
+
+/* For f linear on the screen, f0 f1 f2 at the corners:
+ *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
+ *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
+ *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
+ * With x and y in sixteenths of a pixel both come out sixteen times too small. In double, because
+ * a sliver's numerators are differences of nearly equal products.
+ * False where the area is 0: there is nothing to draw, and nothing to divide by. */
+static bool gradients_setup(struct gradients *g, const struct corner c[3])
+{
+    const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
+    const double x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    g->area = x1 * y2 - x2 * y1;
+    if (g->area == 0)
+        return false;
+    const double one_over_area = SUBPIXEL_ONE / g->area;
+    const struct linear f1 = add(c[1].at, scale(-1, c[0].at));
+    const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
+    g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
+    g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
+    return true;
+}
+
+/* floor(numerator / denominator), denominator > 0: C's division cuts toward zero instead. */
+static int floor_div(int numerator, int denominator)
+{
+    return numerator / denominator - (numerator % denominator < 0);
+}
+
+/* An edge from its top to its bottom corner, and where it is on the current scanline. */
+struct edge {
+    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
+    int x;        /* the first pixel at or to the right of where it crosses the scanline */
+    int x_step;   /* pixels right for a scanline down, rounded down */
+    int error, numerator, denominator; /* 0 <= error < denominator */
+    struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
+};
+
+/* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
+ *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
+ * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
+ * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
+static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
+                       const struct corner *bottom)
+{
+    edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
+    edge->y_end = floor_div(bottom->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
+    if (edge->y >= edge->y_end)
+        return; /* no scanline: the edge may be flat, and dx/dy without a value */
+    const int dx = bottom->x - top->x, dy = bottom->y - top->y; /* 28.4, up to 2^16 */
+    edge->denominator = SUBPIXEL_ONE * dy;
+    edge->x_step = floor_div(dx, dy);
+    edge->numerator = SUBPIXEL_ONE * (dx - edge->x_step * dy);
+    const int prestep_y = SUBPIXEL_ONE * edge->y - top->y; /* 28.4, 0 .. 15 */
+    const int x_whole = floor_div(top->x, SUBPIXEL_ONE); /* N counts from here: 32 bits hold it */
+    const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
+    edge->x = x_whole + floor_div(n, edge->denominator);
+    edge->error = n - (edge->x - x_whole) * edge->denominator;
+    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
+    edge->step[1] = add(edge->step[0], g->dx);
+    edge->at = add(top->at, scale(1.0 / SUBPIXEL_ONE,
+                                  add(scale(SUBPIXEL_ONE * edge->x - top->x, g->dx),
+                                      scale(prestep_y, g->dy))));
+}
+
+static void edge_step(struct edge *edge)
+{
+    edge->error += edge->numerator;
+    const int carry = edge->error >= edge->denominator;
+    edge->error -= carry ? edge->denominator : 0;
+    edge->x += edge->x_step + carry;
+    edge->at = add(edge->at, edge->step[carry]);
+}
+
+#define TEXEL_ONE 65536 /* 16.16 fixed point */
+
+/* What is added to a 16.16 coordinate before its fraction is cut. Where the coordinate rises along
+ * the scanline the texel is floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to
+ * size - 1/2, or back, stays inside at the end that it draws. The odd 1/65536 takes a c that
+ * should lie on a border, and came out just short of it, for what it should be. */
+static uint32_t rounding(double f_over_z, double f_over_z_dx, struct linear at, struct linear dx)
+{
+    const bool rises = f_over_z_dx * at.one_over_z >= f_over_z * dx.one_over_z; /* df/dx >= 0 */
+    return rises ? TEXEL_ONE / 2 + 1 : TEXEL_ONE / 2 - 1;
+}
+
+/* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
+static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
+                      const struct edge *left, const struct edge *right, int y)
+{
+    const uint32_t u_mask = texture->width - 1, v_mask = texture->height - 1;
+    uint32_t *row = &frame->pixels[y * frame->stride];
+    struct linear at = left->at;
+    const uint32_t u_rounding = rounding(at.u_over_z, g->dx.u_over_z, at, g->dx);
+    const uint32_t v_rounding = rounding(at.v_over_z, g->dx.v_over_z, at, g->dx);
+
+    for (int x = left->x; x < right->x; x++) {
+        /* Rounding can carry a sliver's 1/z below 0, and u and v out of their range: held. */
+        const double z = 1 / max(at.one_over_z, g->one_over_z_min);
+        const int u_16_16 = (int)(hold(at.u_over_z * z, g->u) * TEXEL_ONE);
+        const int v_16_16 = (int)(hold(at.v_over_z * z, g->v) * TEXEL_ONE);
+        const uint32_t u = (u_16_16 + u_rounding) >> 16 & u_mask;
+        const uint32_t v = (v_16_16 + v_rounding) >> 16 & v_mask;
+        row[x] = texture->pixels[v * texture->stride + u];
+        at = add(at, g->dx);
+    }
+}
+
+/* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
+ * - 1/2, and in the limits of common/vertex.h. The texture repeats; its sides are powers of two. */
+void stage3_draw_triangle(struct image *frame, const struct image *texture,
+                          const struct vertex v[3])
+{
+    assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
+    struct corner c[3];
+    corners_setup(c, v);
+    struct gradients g;
+    if (!gradients_setup(&g, c))
+        return;
+    g.one_over_z_min = 1 / max(v[0].z, max(v[1].z, v[2].z));
+    g.u = range_setup(v[0].u, v[1].u, v[2].u, texture->width);
+    g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
+
+    struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
+    edge_setup(&whole, &g, &c[0], &c[2]);
+    for (int i = 0; i < 2; i++) {
+        edge_setup(&half, &g, &c[i], &c[i + 1]);
+        struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
+        for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
+            draw_span(frame, texture, &g, left, right, y);
+    }
+}
