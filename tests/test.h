@@ -1,0 +1,31 @@
+/* The groups of tests that build/test runs, and what it needs of check.c. */
+#ifndef TESTS_TEST_H
+#define TESTS_TEST_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+void test_files(void);
+void test_clip(void);
+void test_raster(void);
+void test_cli(void);
+void test_exact(void);
+void test_gates(void);
+
+/* The rest of the group `raster`: random meshes, random triangles. */
+void test_raster_mesh(void);
+void test_raster_random(void);
+
+/* The rest of the group `cli`: bad usage and input, run in the folder that cli_open made. */
+void test_cli_bad(void);
+
+/* Reads the seed of this run from TEXMAP_SEED (1 where unset). False where that is no number. */
+bool check_seed(uint64_t *seed);
+
+/* The checks that follow belong to this group. */
+void check_group(const char *name);
+
+/* Prints `N passed, N failed` (`, N skipped` where there are any). True when none failed. */
+bool check_summary(void);
+
+#endif
