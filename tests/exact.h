@@ -1,0 +1,54 @@
+/* The exact answer: which pixels a triangle covers, and which u, v and z each of them sees.
+ * It shares no arithmetic with the stages: integer edge functions decide coverage, without any
+ * rounding; the same integers, as barycentric weights, give u, v and z. */
+#ifndef TESTS_EXACT_H
+#define TESTS_EXACT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "common/image.h"
+#include "common/vertex.h"
+
+#define EXACT_SUBPIXEL_ONE 65536 /* grid positions a pixel: vertices lie on multiples of 2^-16 */
+#define EXACT_POSITION_MAX 8192  /* |x|, |y| in pixels, so that every edge function fits 64 bits */
+
+/* One triangle, ready to be asked about its pixels. At pixel (x, y) the edge function of the edge
+ * opposite vertex i, in squared grid units, is
+ *     w_i = constant_i + step_x_i x + step_y_i y                    |w_i| < 2^62
+ * twice the area of the triangle between that edge and the pixel: vertex i's barycentric weight. */
+struct exact_triangle {
+    int64_t constant[3], step_x[3], step_y[3];
+    int64_t least[3];       /* the smallest w_i inside: 0 on a left or top edge, else 1 */
+    int first_row, end_row; /* first_row <= y < end_row holds every covered pixel */
+    double one_over_z[3], u_over_z[3], v_over_z[3];
+    double u_min, u_max, v_min, v_max;
+};
+
+/* What a pixel of the triangle sees: texels, texels, depth. */
+struct exact_point {
+    double u, v, z;
+};
+
+/* Prepares a triangle of either winding. x and y are multiples of 2^-16 within
+ * +-EXACT_POSITION_MAX, z > 0: asserted. False when it has no area, and so covers nothing. */
+bool exact_setup(struct exact_triangle *triangle, const struct vertex v[3]);
+
+/* The columns *first <= x < *end that the triangle covers in row y, by the top-left rule, within a
+ * frame of `width` columns; *first >= *end where there are none. Exact. */
+void exact_row(const struct exact_triangle *triangle, int y, int width, int *first, int *end);
+
+/* u, v and z at the centre of a covered pixel: weights and sums have one sign, so that double
+ * rounding alone remains, at most 2^-49 of the largest |u|, |v| or z. */
+struct exact_point exact_at(const struct exact_triangle *triangle, int x, int y);
+
+/* The vertex with x and y moved to the nearest of `grid` positions a pixel, halves up:
+ * floor(c grid + 1/2) / grid, exactly; grid is 1 or 16, or 0: the vertex stays as it is. */
+struct vertex exact_round(const struct vertex *vertex, int grid);
+
+/* Draws the triangle as a stage does. The texel is floor(u + 1/2), floor(v + 1/2), repeated; held
+ * to the texture's last where the triangle uses the texture once and u or v is exactly
+ * side - 1/2, because the texel beyond that border is never right. */
+void exact_draw_triangle(struct image *frame, const struct image *texture,
+                         const struct vertex v[3]);
+
+#endif

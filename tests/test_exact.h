@@ -1,0 +1,14 @@
+/* The files of the group `exact`. */
+#ifndef TESTS_TEST_EXACT_H
+#define TESTS_TEST_EXACT_H
+
+/* Coverage against a judge that was written for that, u and v against another formula. */
+void test_exact_judge(void);
+void test_exact_texels(void);
+
+/* accuracy against rasterizers of known errors; diff against pictures. */
+void test_exact_accuracy(void);
+void test_exact_jitter(void);
+void test_exact_diff(void);
+
+#endif
