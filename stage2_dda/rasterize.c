@@ -95,8 +95,7 @@ static int floor_div(int numerator, int denominator)
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x;        /* the first pixel at or to the right of where it crosses the scanline */
-    int x_step;   /* pixels right for a scanline down, rounded down */
+    int x, x_step; /* first pixel at or right of the crossing; pixels right a scanline, cut */
     int error, numerator, denominator; /* 0 <= error < denominator */
     struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
 };

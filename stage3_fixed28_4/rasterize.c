@@ -77,6 +77,7 @@ static double hold(double value, struct range r) { return min(max(value, r.low),
 struct gradients {
     double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct linear dx, dy; /* change a pixel to the right, a pixel down */
+    struct corner origin; /* the corner from which they are evaluated */
     double one_over_z_min;
     struct range u, v;
 };
@@ -100,6 +101,7 @@ static bool gradients_setup(struct gradients *g, const struct corner c[3])
     const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
+    g->origin = c[0];
     return true;
 }
 
@@ -112,18 +114,15 @@ static int floor_div(int numerator, int denominator)
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x;        /* the first pixel at or to the right of where it crosses the scanline */
-    int x_step;   /* pixels right for a scanline down, rounded down */
+    int x, x_step; /* first pixel at or right of the crossing; pixels right a scanline, cut */
     int error, numerator, denominator; /* 0 <= error < denominator */
-    struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
 };
 
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
  * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
  * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
-static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
-                       const struct corner *bottom)
+static void edge_setup(struct edge *edge, const struct corner *top, const struct corner *bottom)
 {
     edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
     edge->y_end = floor_div(bottom->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
@@ -138,11 +137,6 @@ static void edge_setup(struct edge *edge, const struct gradients *g, const struc
     const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
     edge->x = x_whole + floor_div(n, edge->denominator);
     edge->error = n - (edge->x - x_whole) * edge->denominator;
-    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
-    edge->step[1] = add(edge->step[0], g->dx);
-    edge->at = add(top->at, scale(1.0 / SUBPIXEL_ONE,
-                                  add(scale(SUBPIXEL_ONE * edge->x - top->x, g->dx),
-                                      scale(prestep_y, g->dy))));
 }
 
 static void edge_step(struct edge *edge)
@@ -151,7 +145,14 @@ static void edge_step(struct edge *edge)
     const int carry = edge->error >= edge->denominator;
     edge->error -= carry ? edge->denominator : 0;
     edge->x += edge->x_step + carry;
-    edge->at = add(edge->at, edge->step[carry]);
+}
+
+/* The linear quantities at a pixel's centre: f = f0 + (x - x0) df/dx + (y - y0) df/dy */
+static struct linear linear_at(const struct gradients *g, int x, int y)
+{
+    const double from_x0 = (SUBPIXEL_ONE * x - g->origin.x) / (double)SUBPIXEL_ONE;
+    const double from_y0 = (SUBPIXEL_ONE * y - g->origin.y) / (double)SUBPIXEL_ONE;
+    return add(g->origin.at, add(scale(from_x0, g->dx), scale(from_y0, g->dy)));
 }
 
 #define TEXEL_ONE 65536 /* 16.16 fixed point */
@@ -172,7 +173,7 @@ static void draw_span(struct image *frame, const struct image *texture, const st
 {
     const uint32_t u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
-    struct linear at = left->at;
+    struct linear at = linear_at(g, left->x, y);
     const uint32_t u_rounding = rounding(at.u_over_z, g->dx.u_over_z, at, g->dx);
     const uint32_t v_rounding = rounding(at.v_over_z, g->dx.v_over_z, at, g->dx);
 
@@ -204,9 +205,9 @@ void stage3_draw_triangle(struct image *frame, const struct image *texture,
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
     struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
-    edge_setup(&whole, &g, &c[0], &c[2]);
+    edge_setup(&whole, &c[0], &c[2]);
     for (int i = 0; i < 2; i++) {
-        edge_setup(&half, &g, &c[i], &c[i + 1]);
+        edge_setup(&half, &c[i], &c[i + 1]);
         struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
         for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
             draw_span(frame, texture, &g, left, right, y);

@@ -77,6 +77,7 @@ static float hold(float value, struct range r) { return min(max(value, r.low), r
 struct gradients {
     double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct linear dx, dy; /* change a pixel to the right, a pixel down */
+    struct corner origin; /* the corner from which they are evaluated */
     float one_over_z_min;
     struct range u, v;
 };
@@ -100,6 +101,7 @@ static bool gradients_setup(struct gradients *g, const struct corner c[3])
     const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
+    g->origin = c[0];
     return true;
 }
 
@@ -112,18 +114,15 @@ static int floor_div(int numerator, int denominator)
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x;        /* the first pixel at or to the right of where it crosses the scanline */
-    int x_step;   /* pixels right for a scanline down, rounded down */
+    int x, x_step; /* first pixel at or right of the crossing; pixels right a scanline, cut */
     int error, numerator, denominator; /* 0 <= error < denominator */
-    struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
 };
 
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
  * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
  * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
-static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
-                       const struct corner *bottom)
+static void edge_setup(struct edge *edge, const struct corner *top, const struct corner *bottom)
 {
     edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
     edge->y_end = floor_div(bottom->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
@@ -138,11 +137,6 @@ static void edge_setup(struct edge *edge, const struct gradients *g, const struc
     const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
     edge->x = x_whole + floor_div(n, edge->denominator);
     edge->error = n - (edge->x - x_whole) * edge->denominator;
-    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
-    edge->step[1] = add(edge->step[0], g->dx);
-    edge->at = add(top->at, scale(1.0 / SUBPIXEL_ONE,
-                                  add(scale(SUBPIXEL_ONE * edge->x - top->x, g->dx),
-                                      scale(prestep_y, g->dy))));
 }
 
 static void edge_step(struct edge *edge)
@@ -151,7 +145,14 @@ static void edge_step(struct edge *edge)
     const int carry = edge->error >= edge->denominator;
     edge->error -= carry ? edge->denominator : 0;
     edge->x += edge->x_step + carry;
-    edge->at = add(edge->at, edge->step[carry]);
+}
+
+/* The linear quantities at a pixel's centre: f = f0 + (x - x0) df/dx + (y - y0) df/dy */
+static struct linear linear_at(const struct gradients *g, int x, int y)
+{
+    const double from_x0 = (SUBPIXEL_ONE * x - g->origin.x) / (double)SUBPIXEL_ONE;
+    const double from_y0 = (SUBPIXEL_ONE * y - g->origin.y) / (double)SUBPIXEL_ONE;
+    return add(g->origin.at, add(scale(from_x0, g->dx), scale(from_y0, g->dy)));
 }
 
 #define TEXEL_ONE 65536 /* 16.16 fixed point */
@@ -175,8 +176,7 @@ static inline struct texel texel_at(const struct gradients *g, const struct span
 
 /* A 16.16 coordinate on its way from start to end, `length` pixels on. Where it rises the texel is
  * floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to size - 1/2, or back, stays
- * inside at the end that it draws. The odd 1/65536 takes a c that should lie on a border, and came
- * out just short of it, for what it should be. The step is cut toward zero: never past the end. */
+ * inside. 1/65536 brings a c that was rounded off its border back. The step is cut toward zero. */
 static inline struct line line_setup(float start, float end, int length)
 {
     const struct range int_range = {-2147483520.0f, 2147483520.0f}; /* the last floats in it */
@@ -185,9 +185,8 @@ static inline struct line line_setup(float start, float end, int length)
     return (struct line){(int)(start * TEXEL_ONE) + half, (int)hold(step, int_range)};
 }
 
-/* `count` pixels on the straight line from start to end, `length` pixels on. U and V are stepped in
- * one addition, U in the low half: 2^31, a multiple of every texture's size, keeps it from 0 to
- * 2^32, so that nothing is carried into V. */
+/* `count` pixels on the line from start to end, `length` pixels on. One addition steps U and V: 2^31,
+ * a multiple of every texture's size, keeps U from 0 to 2^32, so that it carries nothing into V. */
 static inline void draw_segment(uint32_t *pixels, int count, const struct image *texture,
                                 struct texel start, struct texel end, int length)
 {
@@ -206,8 +205,9 @@ static inline void draw_segment(uint32_t *pixels, int count, const struct image 
 static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
                       const struct edge *left, const struct edge *right, int y)
 {
-    const struct span s = {left->at.one_over_z, left->at.u_over_z, left->at.v_over_z,
-                           g->dx.one_over_z,    g->dx.u_over_z,    g->dx.v_over_z};
+    const struct linear at = linear_at(g, left->x, y);
+    const struct span s = {at.one_over_z,    at.u_over_z,    at.v_over_z,
+                           g->dx.one_over_z, g->dx.u_over_z, g->dx.v_over_z};
     const int last = right->x - left->x - 1; /* no segment ends beyond: 1/z may reach 0 there */
     if (last < 0)
         return;
@@ -240,9 +240,9 @@ void stage4_draw_triangle(struct image *frame, const struct image *texture,
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
     struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
-    edge_setup(&whole, &g, &c[0], &c[2]);
+    edge_setup(&whole, &c[0], &c[2]);
     for (int i = 0; i < 2; i++) {
-        edge_setup(&half, &g, &c[i], &c[i + 1]);
+        edge_setup(&half, &c[i], &c[i + 1]);
         struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
         for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
             draw_span(frame, texture, &g, left, right, y);

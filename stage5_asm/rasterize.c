@@ -1,8 +1,6 @@
 /* Stage 5: the inner loop by hand, in span.S: x86-64 with SSE2. The same frames as stage 4's.
- *
  * Seen in perspective, u and v are not linear on the screen, but 1/z, u/z and v/z are. The divide
  * u = (u/z) / (1/z) is made every 16 pixels, and u itself taken for linear between.
- *
  * After Chris Hecker, "Perspective Texture Mapping" V, Game Developer, 1996: see README.md. */
 #include <assert.h>
 #include <stddef.h>
@@ -60,7 +58,6 @@ static void corners_setup(struct corner c[3], const struct vertex v[3])
 }
 
 struct range { float low, high; }; /* what u or v cannot leave inside the triangle */
-
 #define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses below, too little to change a texel */
 
 /* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
@@ -77,8 +74,9 @@ static struct range range_setup(float a, float b, float c, int size)
 
 /* How the linear quantities change over the triangle, and what 1/z, u and v stay within there. */
 struct gradients {
-    double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
+    double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct linear dx, dy; /* change a pixel to the right, a pixel down */
+    struct corner origin; /* the corner from which they are evaluated */
     float one_over_z_min;
     struct range u, v;
 };
@@ -102,6 +100,7 @@ static bool gradients_setup(struct gradients *g, const struct corner c[3])
     const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
+    g->origin = c[0];
     return true;
 }
 
@@ -111,108 +110,35 @@ static int floor_div(int numerator, int denominator)
     return numerator / denominator - (numerator % denominator < 0);
 }
 
-/* An edge from its top to its bottom corner, and where it is on the current scanline. */
-struct edge {
-    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x;        /* the first pixel at or to the right of where it crosses the scanline */
-    int x_step;   /* pixels right for a scanline down, rounded down */
-    int error, numerator, denominator; /* 0 <= error < denominator */
-    struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
+/* The triangle's scanlines, y .. y_end - 1; from y_middle on the lower edge takes the upper one's
+ * place. x on the first of them and what it grows by: of the whole edge, the upper, the lower. */
+struct edges {
+    int y, y_middle, y_end;
+    double x[3], x_step[3];
 };
 
-/* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
- *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
- * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
- * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
-static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
+/* x(y) = ceil(x0 + (y - y0) dx/dy) as in stage 4, but a double's low bits carry the error term. The
+ * quotient is a multiple of 1/D, D = 16 dy. Half of that less, it is 1/(2D) = 2^-5/dy away from any
+ * integer; and |x| <= 2^28/dy on any scanline, so that 2^10 additions err by less than 2^-15/dy. So
+ * 1 more, and cut, it is the ceiling: exactly. */
+static void edge_setup(struct edges *edges, int i, const struct corner *top,
                        const struct corner *bottom)
 {
-    edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
-    edge->y_end = floor_div(bottom->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
-    if (edge->y >= edge->y_end)
-        return; /* no scanline: the edge may be flat, and dx/dy without a value */
-    const int dx = bottom->x - top->x, dy = bottom->y - top->y; /* 28.4, up to 2^16 */
-    edge->denominator = SUBPIXEL_ONE * dy;
-    edge->x_step = floor_div(dx, dy);
-    edge->numerator = SUBPIXEL_ONE * (dx - edge->x_step * dy);
-    const int prestep_y = SUBPIXEL_ONE * edge->y - top->y; /* 28.4, 0 .. 15 */
-    const int x_whole = floor_div(top->x, SUBPIXEL_ONE); /* N counts from here: 32 bits hold it */
-    const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
-    edge->x = x_whole + floor_div(n, edge->denominator);
-    edge->error = n - (edge->x - x_whole) * edge->denominator;
-    const int prestep_x = SUBPIXEL_ONE * edge->x - top->x; /* 28.4 */
-    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
-    edge->step[1] = add(edge->step[0], g->dx);
-    edge->at = add(top->at, scale(1.0 / SUBPIXEL_ONE,
-                                  add(scale(prestep_x, g->dx), scale(prestep_y, g->dy))));
+    const double one_over_dy = bottom->y > top->y ? 1.0 / (bottom->y - top->y) : 0; /* 28.4 */
+    edges->x_step[i] = (bottom->x - top->x) * one_over_dy;
+    edges->x[i] = (top->x + (SUBPIXEL_ONE * edges->y - top->y) * edges->x_step[i]) / SUBPIXEL_ONE +
+                  1 - one_over_dy / (2 * SUBPIXEL_ONE);
 }
 
-static void edge_step(struct edge *edge)
-{
-    edge->error += edge->numerator;
-    const int carry = edge->error >= edge->denominator;
-    edge->error -= carry ? edge->denominator : 0;
-    edge->x += edge->x_step + carry;
-    edge->at = add(edge->at, edge->step[carry]);
-}
-
-/* What span.S needs of the triangle. */
-struct mapping {
-    const uint32_t *texels;
-    int stride;            /* texels */
-    int u_mask, v_mask;
-    float one_over_z_dx, u_over_z_dx, v_over_z_dx;
-    float one_over_z_min;
-    struct range u, v;
-};
-_Static_assert(offsetof(struct mapping, v) == 44 && sizeof(struct mapping) == 56, "as in span.S");
-
-/* Up to four spans, side by side. */
-struct spans {
-    uint32_t *pixels[4];
-    int count[4];                                          /* pixels */
-    float one_over_z[4], u_over_z[4], v_over_z[4];         /* at the first pixel */
-};
-_Static_assert(offsetof(struct spans, v_over_z) == 80 && sizeof(struct spans) == 96, "as in span.S");
-
-void stage5_draw_spans(const struct mapping *mapping, const struct spans *spans);
-void stage5_draw_span(const struct mapping *mapping, uint32_t *pixels, int count, float one_over_z,
-                      float u_over_z, float v_over_z);
-
-#define SHORT_SPAN 16 /* pixels */
-
-static void flush(const struct mapping *m, struct spans *spans, int *waiting)
-{
-    if (*waiting == 0)
-        return;
-    for (int i = *waiting; i < 4; i++)
-        spans->count[i] = 0;
-    stage5_draw_spans(m, spans);
-    *waiting = 0;
-}
-
-/* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
-static void draw_span(struct image *frame, const struct mapping *m, struct spans *spans, int *waiting,
-                      const struct edge *left, const struct edge *right, int y)
-{
-    const int count = right->x - left->x;
-    if (count <= 0)
-        return;
-    uint32_t *pixels = &frame->pixels[y * frame->stride + left->x];
-    if (count > SHORT_SPAN) {
-        stage5_draw_span(m, pixels, count, (float)left->at.one_over_z, (float)left->at.u_over_z,
-                         (float)left->at.v_over_z);
-        return;
-    }
-    const int n = (*waiting)++;
-    spans->pixels[n] = pixels;
-    spans->count[n] = count;
-    spans->one_over_z[n] = (float)left->at.one_over_z;
-    spans->u_over_z[n] = (float)left->at.u_over_z;
-    spans->v_over_z[n] = (float)left->at.v_over_z;
-    if (*waiting == 4)
-        flush(m, spans, waiting);
-}
+/* In span.S: all of the triangle's pixels. */
+void stage5_draw_rows(struct image *frame, const struct image *texture, const struct gradients *g,
+                      const struct edges *edges);
+_Static_assert(offsetof(struct image, pixels) == 16, "I_PIXELS in span.S");
+_Static_assert(offsetof(struct gradients, dx) == 8, "G_DX in span.S");
+_Static_assert(offsetof(struct gradients, origin) == 56, "G_X in span.S");
+_Static_assert(offsetof(struct gradients, one_over_z_min) == 88, "G_ONE_OVER_Z_MIN in span.S");
+_Static_assert(offsetof(struct gradients, v) == 100, "G_RANGES in span.S");
+_Static_assert(offsetof(struct edges, x_step) == 40, "E_X_STEP in span.S");
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
  * - 1/2, and in the limits of common/vertex.h. The texture repeats; its sides are powers of two. */
@@ -229,27 +155,15 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
     g.u = range_setup(v[0].u, v[1].u, v[2].u, texture->width);
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
-    const struct mapping m = {
-        .texels = texture->pixels,
-        .stride = texture->stride,
-        .u_mask = texture->width - 1,
-        .v_mask = texture->height - 1,
-        .one_over_z_dx = (float)g.dx.one_over_z,
-        .u_over_z_dx = (float)g.dx.u_over_z,
-        .v_over_z_dx = (float)g.dx.v_over_z,
-        .one_over_z_min = g.one_over_z_min,
-        .u = g.u,
-        .v = g.v,
+    struct edges edges = {
+        .y = floor_div(c[0].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
+        .y_middle = floor_div(c[1].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
+        .y_end = floor_div(c[2].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
     };
-    _Alignas(16) struct spans spans = {0};
-    int waiting = 0;
-    struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
-    edge_setup(&whole, &g, &c[0], &c[2]);
-    for (int i = 0; i < 2; i++) {
-        edge_setup(&half, &g, &c[i], &c[i + 1]);
-        struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
-        for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
-            draw_span(frame, &m, &spans, &waiting, left, right, y);
-    }
-    flush(&m, &spans, &waiting);
+    if (edges.y >= edges.y_end)
+        return;
+    edge_setup(&edges, 0, &c[0], &c[2]); /* the long edge is walked once, not split */
+    edge_setup(&edges, 1, &c[0], &c[1]);
+    edge_setup(&edges, 2, &c[1], &c[2]);
+    stage5_draw_rows(frame, texture, &g, &edges);
 }
