@@ -1,40 +1,65 @@
 # texmap: perspective texture mapping in five stages. `make help` lists the targets.
 # Needs a C11 compiler, make and libc. CC and CFLAGS may be given on the command line.
 
-MAKEFLAGS += -r # no built-in rules: all are below
+MAKEFLAGS += -r # no built-in rules: all that are used stand below
 BUILD = build
+CC = cc
 CFLAGS = -O2
 # Kept whatever CFLAGS say: without them another compiler or processor draws other bits.
 KEPT = -std=c11 -ffp-contract=off -Wall -Wextra -Wpedantic -I. -MMD -MP
 LDLIBS = -lm
 
 STAGES = stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide
-ifneq ($(findstring x86_64,$(shell $(CC) -dumpmachine 2>/dev/null)),)
+ifneq ($(findstring x86_64,$(shell $(CC) $(CFLAGS) -dumpmachine 2>/dev/null)),)
 STAGES += stage5_asm
-ASM = span
+ASM = $(patsubst stage5_asm/%.S,%,$(wildcard stage5_asm/*.S))
 endif
 SEGMENTS = 4 8 32 64 span
 
-COMMON_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
+# tests/ holds programs of their own, what only the tests use, and what texmap is made of.
+PROGRAMS = texmap test room $(patsubst tests/%.c,%,$(wildcard tests/*_main.c))
+TEST_SOURCES = $(wildcard tests/test*.c tests/fuzz_*.c tests/check.c tests/cli.c tests/padded.c \
+	tests/png_decode.c tests/coda_twin.c)
+HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcard tests/*.c))
+
 STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
+	$(if $(filter span_exact_avx2,$(ASM)),$(BUILD)/stage5_asm/coda.o) \
 	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o)
-TEST_SOURCES = $(wildcard tests/test*.c tests/check.c tests/cli.c tests/padded.c tests/png_decode.c)
-TEST_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(TEST_SOURCES))
-HARNESS_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,\
-	$(filter-out tests/texmap.c $(TEST_SOURCES),$(wildcard tests/*.c)))
-SHARED = $(COMMON_OBJECTS) $(STAGE_OBJECTS) $(HARNESS_OBJECTS)
+SHARED = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(HARNESS_SOURCES)) $(STAGE_OBJECTS)
+TEST_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,\
+	$(filter-out tests/test.c tests/texmap.c tests/fuzz_%,$(TEST_SOURCES))) \
+	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/*.S)))
 
-.PHONY: all test clean help
-all: $(BUILD)/texmap
+.PHONY: all test test-mistakes golden bench chart lesson clean help FORCE
 
-$(BUILD)/texmap: $(BUILD)/tests/texmap.o $(SHARED)
+# The main job: the room through all five stages.
+all: $(BUILD)/texmap $(BUILD)/room
+	@$(BUILD)/room $(BUILD)/out
+
+test: $(BUILD)/texmap $(BUILD)/test test-mistakes
+	@$(BUILD)/test
+
+test-mistakes: $(SHARED) $(TEST_OBJECTS) $(BUILD)/tests/mistakes/main.o
+	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/mistakes.sh $(BUILD) \
+		$(BUILD)/tests/mistakes/main.o $(SHARED) $(TEST_OBJECTS)
+
+golden: $(BUILD)/test
+	$(BUILD)/test --golden
+
+bench: $(BUILD)/texmap
+	$(BUILD)/texmap bench --stage all --scene all --csv $(BUILD)/bench.csv
+
+chart: bench
+	$(BUILD)/texmap chart $(BUILD)/bench.csv -o $(BUILD)/chart.svg
+
+lesson: $(BUILD)/texmap
+	@sh tests/lesson.sh $(BUILD) '$(N)'
+
+$(BUILD)/texmap $(BUILD)/room: $(BUILD)/%: $(BUILD)/tests/%.o $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-$(BUILD)/test: $(TEST_OBJECTS) $(SHARED)
+$(BUILD)/test: $(BUILD)/tests/test.o $(TEST_OBJECTS) $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
-
-test: $(BUILD)/texmap $(BUILD)/test
-	$(BUILD)/test
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -51,13 +76,28 @@ $(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o): $(BUILD)/stage4_subdivide/s
 	$(CC) $(CFLAGS) $(KEPT) -DSEGMENT_LENGTH=$(subst span,4096,$*) \
 		-Dstage4_draw_triangle=segment_$*_draw_triangle -c -o $@ $<
 
+# What `texmap bench` says it was built with.
+$(BUILD)/tests/bench_machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
+
 # Changes when the compiler or its flags do, so that nothing built with others is kept.
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(CC) $(CFLAGS) $(KEPT)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(KEPT)' > $@
-.PHONY: FORCE
 
 clean:
 	rm -rf $(BUILD)
 
--include $(patsubst %.o,%.d,$(SHARED) $(TEST_OBJECTS) $(BUILD)/tests/texmap.o)
+help:
+	@sed -n 's/^#: //p' Makefile tests/optional.mk
+
+#: make               build, then the main job: the room through all five stages
+#: make test          every test; ends with `N passed, N failed`
+#: make lesson N=2    what changed from stage 1 to stage 2, in source, picture, accuracy and speed
+#: make bench         speed and accuracy of all stages on all scenes, to build/bench.csv
+#: make chart         that, drawn: build/chart.svg
+#: make golden        renews tests/golden/, after a change that means to move a frame
+#: make build/texmap  the program alone; build/texmap help says what it can do
+#: make clean         removes build/
+
+include tests/optional.mk
+-include $(patsubst %.o,%.d,$(SHARED) $(TEST_OBJECTS) $(PROGRAMS:%=$(BUILD)/tests/%.o))

@@ -92,14 +92,15 @@ static int ceil_to_int(float value)
 
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
-    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    float x;      /* where it crosses the current scanline */
-    float x_step; /* pixels right for a scanline down */
+    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses; steps on */
+    float x;      /* where it crosses the scanline y */
+    float x0, y0, x_step; /* the top corner; pixels right for a scanline down */
     struct linear at, step; /* there; and the change for a scanline down */
 };
 
 /* x(y) = x0 + (y - y0) dx/dy, from the first scanline at or below the top corner. Triangles that
- * share the edge walk it with the same additions, so their pixels meet without gap or overlap. */
+ * share the edge find the same x, so their pixels meet without gap or overlap. Added up over 4096
+ * scanlines x would drift, past the next edge where the two are near a common corner. */
 static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
                        const struct corner *bottom)
 {
@@ -108,15 +109,18 @@ static void edge_setup(struct edge *edge, const struct gradients *g, const struc
     if (edge->y >= edge->y_end)
         return; /* no scanline: the edge may be flat, and dx/dy without a value */
     const float prestep_y = edge->y - top->y; /* in [0, 1) */
+    edge->x0 = top->x;
+    edge->y0 = top->y;
     edge->x_step = (bottom->x - top->x) / (bottom->y - top->y);
-    edge->x = top->x + prestep_y * edge->x_step;
+    edge->x = edge->x0 + prestep_y * edge->x_step;
     edge->step = add(g->dy, scale(edge->x_step, g->dx));
     edge->at = add(top->at, scale(prestep_y, edge->step));
 }
 
 static void edge_step(struct edge *edge)
 {
-    edge->x += edge->x_step;
+    edge->y++;
+    edge->x = edge->x0 + (edge->y - edge->y0) * edge->x_step;
     edge->at = add(edge->at, edge->step);
 }
 
@@ -124,12 +128,7 @@ static void edge_step(struct edge *edge)
 static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
                       const struct edge *left, const struct edge *right, int y)
 {
-    /* An edge's additions may drift by half a pixel over 4096 scanlines: never off the frame. */
-    int x_start = ceil_to_int(left->x), x_end = ceil_to_int(right->x);
-    if (x_start < 0)
-        x_start = 0;
-    if (x_end > frame->width)
-        x_end = frame->width;
+    const int x_start = ceil_to_int(left->x), x_end = ceil_to_int(right->x);
     const int u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
     struct linear at = add(left->at, scale(x_start - left->x, g->dx)); /* at the pixel's centre */

@@ -17,7 +17,7 @@ struct command {
     enum outcome (*run)(const struct options *options, struct error *error);
 };
 
-extern const struct command command_render, command_diff, command_accuracy, command_chart,
-    command_scene;
+extern const struct command command_render, command_diff, command_accuracy, command_bench,
+    command_chart, command_scene;
 
 #endif

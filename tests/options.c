@@ -7,6 +7,7 @@
 
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480
+#define SECONDS_MAX 3600
 
 struct rule {
     enum option option;
@@ -78,13 +79,15 @@ static const struct rule rules[] = {
      "                        stage 4 with other segment lengths; the last is plain affine",
      FIELD(stage), parse_text, 0, 0},
     {OPTION_STAGES, "--stages", "A,B", "two of them", FIELD(stages), parse_text, 0, 0},
-    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh", FIELD(scene), parse_text, 0, 0},
+    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh (bench: or all)", FIELD(scene),
+     parse_text, 0, 0},
     {OPTION_FRAME, "--frame", "K", "frame of the scene, 0 to 255; only the room moves (default 0)",
      FIELD(frame), parse_int, 0, SCENE_FRAMES - 1},
     {OPTION_TRIANGLES, "--triangles", "FILE.tri", "screen triangles in place of a scene",
      FIELD(triangles), parse_text, 0, 0},
-    {OPTION_SIZE, "--size", "WxH", "the frame, each side 1 to 4096 pixels (default 640x480)",
-     FIELD(size), parse_size, 1, FRAME_SIDE_MAX},
+    {OPTION_SIZE, "--size", "WxH",
+     "the frame, each side 1 to 4096 pixels (default 640x480; bench: 1024x768)", FIELD(size),
+     parse_size, 1, FRAME_SIDE_MAX},
     {OPTION_TEXTURE, "--texture", "T",
      "own (default), coord (R=u, G=v; .tri files' own), checker,\n"
      "                        or a P6 .ppm file with sides that are powers of two",
@@ -93,6 +96,8 @@ static const struct rule rules[] = {
     {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
      FIELD(max_pixels), parse_int, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX},
     {OPTION_CSV, "--csv", "FILE", "where to write the table as CSV", FIELD(csv), parse_text, 0, 0},
+    {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
+     FIELD(seconds), parse_int, 1, SECONDS_MAX},
 };
 
 #define RULE_COUNT (sizeof rules / sizeof rules[0])

@@ -20,6 +20,7 @@ enum option {
     OPTION_STAGES = 1 << 8,
     OPTION_MAX_PIXELS = 1 << 9,
     OPTION_CSV = 1 << 10,
+    OPTION_SECONDS = 1 << 11,
 };
 
 /* What says which triangles to draw, and on a frame of which size: see tests/source.h. */
@@ -33,7 +34,7 @@ struct options {
     unsigned given; /* the set of options on the command line; the other fields are defaults */
     /* NULL: not given */
     const char *argument, *stage, *stages, *scene, *triangles, *texture, *output, *csv;
-    int frame, max_pixels;
+    int frame, max_pixels, seconds;
     struct size size; /* 640x480 */
 };
 

@@ -19,6 +19,7 @@ static const struct command *const commands[] = {
     &command_render,
     &command_diff,
     &command_accuracy,
+    &command_bench,
     &command_chart,
     &command_scene,
     &command_help,
