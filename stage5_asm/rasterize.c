@@ -146,6 +146,7 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
+    assert(texture->stride <= INT16_MAX); /* span.S multiplies by it as a signed word */
     struct corner c[3];
     corners_setup(c, v);
     struct gradients g;

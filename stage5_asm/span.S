@@ -10,16 +10,19 @@
  *   four scanlines      where they start and end, and, when they are short, their pixels
  *   four segments       of a long span: 64 pixels, drawn at 0, 16, 32, 48, then 1, 17, 33, 49 ...
  *
- * What a lane waits for (11 to 40 clocks for a divide, 5 for a texel) the other lanes share.
+ * One divide serves four lanes, and while it is under way (11 clocks or more) the processor can work
+ * on others: therefore up to 16 scanlines are set up before the first of them is drawn.
  *
- *   rdi frame, rsi texture, rdx g, rcx edges: on entry
- *   r8  texels             xmm12 u_mask              in all four lanes, from `load` on
- *                          xmm13 v_mask << 16
- *                          xmm14 words (1, stride)
- *   xmm0, xmm1             U, V: 16.16, four lanes
- *   xmm2, xmm3             their steps
- *   r12 to r15             where the four lanes' pixels go; r11: the place for those that nobody sees
- *   ebx, ebp, edi, edx     the four lanes' last pixels
+ *   register              holds
+ *   rdi rsi rdx rcx       frame, texture, g, edges, on entry
+ *   r8                    texels
+ *   xmm12 xmm13 xmm14     u_mask, v_mask << 16, the words 1 and stride: each in four lanes
+ *   xmm0 xmm1             U, V of four lanes, 16.16
+ *   xmm2 xmm3             what a pixel adds to them
+ *   ecx eax r10d r9d      a pixel of lanes 0, 1, 2, 3
+ *   r12 r13 r14 r15       where the four lanes' pixels go
+ *   ebx ebp edi edx       the four lanes' last pixels
+ *   r11                   where pixels go that nobody sees
  */
         .intel_syntax noprefix
 
@@ -249,14 +252,15 @@ draw_columns:
         jle     1b
         ret
 
-/* What stays the same for all scanlines. */
+/* What stays the same for all scanlines: the plane's origin and slopes, the ranges, the masks. The
+ * edges' x, which grow from four scanlines to the next. */
         .macro  load
         .irp    i, 0, 1, 2
         spread_double F_AT+16*\i, [rdx+G_AT+8*\i]
         spread_double F_DX+16*\i, [rdx+G_DX+8*\i]
         spread_double F_DY+16*\i, [rdx+G_DY+8*\i]
         spread_narrowed F_DX_FLOAT+16*\i, [rdx+G_DX+8*\i]
-        /* x of the edge on scanlines 0, 1 and 2, 3; four steps */
+        /* x + {0, 1} x_step, x + {2, 3} x_step, 4 x_step */
         movsd   xmm1, [rcx + E_X_STEP + 8 * \i]
         movsd   xmm0, [rcx + E_X + 8 * \i]
         unpcklpd xmm1, xmm1
@@ -283,14 +287,14 @@ draw_columns:
         dec     r9d
         spread_int xmm0, r9d
         movdqa  [rsp + F_Y_LAST], xmm0
-        mov     r9d, [rcx + E_Y]
+        mov     r9d, [rcx + E_Y]                /* y + {0, 1, 2, 3} */
         spread_int xmm0, r9d
         paddd   xmm0, [rip + first_rows]
         movdqa  [rsp + F_Y], xmm0
         movsxd  rax, dword ptr [rdi + I_STRIDE]
         shl     rax, 2
         mov     [rsp + F_STRIDE], rax
-        imul    rax, r9
+        imul    rax, r9                         /* row = &frame->pixels[y * frame->stride] */
         add     rax, [rdi + I_PIXELS]
         mov     [rsp + F_ROW], rax
         mov     eax, [rsi + I_WIDTH]
@@ -340,30 +344,33 @@ stage5_draw_rows:
 next_rows:
         lea     r13, [rsp + F_GROUPS]
 set_up_group:
-        edge_x  xmm0, 0
+        edge_x  xmm0, 0                         /* whole, upper, lower */
         edge_x  xmm1, 1
         edge_x  xmm2, 2
         movdqa  xmm9, [rsp + F_Y]
-        movdqa  xmm3, [rsp + F_Y_MIDDLE]
-        pcmpgtd xmm3, xmm9                      /* -1: still on the upper edge */
+
+        movdqa  xmm3, [rsp + F_Y_MIDDLE]        /* half = y < y_middle ? upper : lower */
+        pcmpgtd xmm3, xmm9
         pand    xmm1, xmm3
         pandn   xmm3, xmm2
         por     xmm1, xmm3
-        movdqa  xmm8, xmm0
-        pminsw  xmm8, xmm1                      /* left: a lane is below 2^15 */
-        pmaxsw  xmm0, xmm1
-        psubd   xmm0, xmm8
+
+        movdqa  xmm8, xmm0                      /* left = min(whole, half): as words, SSE2 has no */
+        pminsw  xmm8, xmm1                      /* other, and x is below 2^15 */
+        pmaxsw  xmm0, xmm1                      /* right = max(whole, half) */
+
+        psubd   xmm0, xmm8                      /* last = right - left - 1 */
         pcmpeqd xmm1, xmm1
-        paddd   xmm0, xmm1                      /* last = right - left - 1 */
-        movdqa  xmm1, xmm9
+        paddd   xmm0, xmm1
+        movdqa  xmm1, xmm9                      /* or -1, where y > y_end - 1 */
         pcmpgtd xmm1, [rsp + F_Y_LAST]
-        por     xmm0, xmm1                      /* last = -1 below the triangle */
+        por     xmm0, xmm1
         movdqa  [r13 + LEFT], xmm8
         movdqa  [r13 + LAST], xmm0
-        movdqa  xmm1, xmm9
+        movdqa  xmm1, xmm9                      /* y += 4 */
         paddd   xmm1, [rip + four_rows]
         movdqa  [rsp + F_Y], xmm1
-        cvtdq2ps xmm15, xmm0
+        cvtdq2ps xmm15, xmm0                    /* length = (float)last */
 
         pslld   xmm8, 4                         /* from_x0 = (16 x - x0) / 16 */
         psubd   xmm8, [rsp + F_X0]
@@ -397,12 +404,13 @@ set_up_group:
         movdqa  [r13 + STEP_U], xmm6
         movdqa  [r13 + STEP_V], xmm7
 
-        mov     rax, [rsp + F_ROW]
+        mov     rax, [rsp + F_ROW]              /* row += 4 stride */
         mov     [r13 + ROW], rax
         mov     rcx, [rsp + F_STRIDE]
         lea     rax, [rax + rcx * 4]
         mov     [rsp + F_ROW], rax
-        movdqa  xmm0, [r13 + LAST]
+
+        movdqa  xmm0, [r13 + LAST]              /* if (any last > 15) */
         pcmpgtd xmm0, [rip + fifteens]
         pmovmskb eax, xmm0
         test    eax, eax
@@ -415,7 +423,7 @@ group_done:
         cmp     r13, rax
         jb      set_up_group
 
-/* Their pixels. */
+/* Their pixels, four scanlines at a time. */
 draw_groups:
         mov     [rsp + F_SCANLINES], r12d
         mov     [rsp + F_G], rdx
@@ -486,6 +494,7 @@ draw_span:
         movaps  xmm6, xmm0
         spread_lane 32
         movaps  xmm7, xmm0
+        xorps   xmm0, xmm0                      /* or cvtsi2ss waits for whatever was there */
         cvtsi2ss xmm0, edx
         shufps  xmm0, xmm0, 0
         movaps  [rsp + F_SPAN_LAST], xmm0
@@ -495,7 +504,8 @@ draw_span:
         cmp     edx, 64
         jle     last_segments
 
-/* Four whole segments: lane k steps along the k-th. */
+/* Four whole segments: lane k steps along the k-th. Each pixel's fetch waits for nothing but the
+ * one addition before it, so the processor runs ahead into the next four segments' divide. */
 four:   texel_at xmm2, xmm3, xmm8, F_SPAN, xmm4, xmm5   /* ends */
         addps   xmm8, [rip + four_segments]
         .macro  starts start, end, first        /* (first, end 0, end 1, end 2) */
