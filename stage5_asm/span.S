@@ -10,7 +10,7 @@
  *   four scanlines      where they start and end, and, when they are short, their pixels
  *   four segments       of a long span: 64 pixels, drawn at 0, 16, 32, 48, then 1, 17, 33, 49 ...
  *
- * One divide serves four lanes, and while it is under way (11 clocks or more) the processor can work
+ * One divide serves four lanes, and while it is under way (11 clocks or more) the processor works
  * on others: therefore up to 16 scanlines are set up before the first of them is drawn.
  *
  *   register              holds

@@ -1,5 +1,6 @@
 /* build/test [GROUP...]: runs all groups of tests, or only those named. build/test --list names
- * them. Exit status 0 when every check holds, 1 when one fails, 2 for bad usage. */
+ * them; build/test --golden writes what the group `golden` compares with. Exit status 0 when
+ * every check holds, 1 when one fails, 2 for bad usage. */
 #include "tests/test.h"
 
 #include <inttypes.h>
@@ -18,6 +19,8 @@ static const struct group groups[] = {
     {"cli", test_cli},
     {"exact", test_exact},
     {"gates", test_gates},
+    {"golden", test_golden},
+    {"bench", test_bench},
 };
 
 #define GROUP_COUNT ((int)(sizeof groups / sizeof groups[0]))
@@ -46,6 +49,14 @@ int main(int argc, char **argv)
     if (argc == 2 && strcmp(argv[1], "--list") == 0) {
         for (int i = 0; i < GROUP_COUNT; i++) {
             printf("%s\n", groups[i].name);
+        }
+        return 0;
+    }
+    if (argc == 2 && strcmp(argv[1], "--golden") == 0) {
+        struct error error;
+        if (!golden_renew(&error)) {
+            fprintf(stderr, "test: %s\n", error.text);
+            return 2;
         }
         return 0;
     }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "common/error.h"
 
 void test_files(void);
 void test_clip(void);
@@ -11,6 +12,11 @@ void test_raster(void);
 void test_cli(void);
 void test_exact(void);
 void test_gates(void);
+void test_bench(void);
+void test_golden(void);
+
+/* Writes tests/golden/ anew. On failure `error` says why. */
+bool golden_renew(struct error *error);
 
 /* The rest of the group `raster`: random meshes, random triangles. */
 void test_raster_mesh(void);
@@ -18,6 +24,9 @@ void test_raster_random(void);
 
 /* The rest of the group `cli`: bad usage and input, run in the folder that cli_open made. */
 void test_cli_bad(void);
+
+/* The rest of the group `bench`: what it holds a frame to before it times it. */
+void test_bench_gate(void);
 
 /* Reads the seed of this run from TEXMAP_SEED (1 where unset). False where that is no number. */
 bool check_seed(uint64_t *seed);
