@@ -4,6 +4,7 @@
  * After Chris Hecker, "Perspective Texture Mapping" I, Game Developer, 1995: see README.md. */
 #include <assert.h>
 #include "common/image.h"
+#include "common/trace.h"
 #include "common/vertex.h"
 
 static float min(float a, float b) { return a < b ? a : b; }
@@ -70,8 +71,8 @@ struct gradients {
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
-    const float x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
-    const float x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    const double x1 = (double)c[1].x - c[0].x, y1 = (double)c[1].y - c[0].y;
+    const double x2 = (double)c[2].x - c[0].x, y2 = (double)c[2].y - c[0].y;
     g->area = x1 * y2 - x2 * y1;
     if (g->area == 0)
         return false;
@@ -84,23 +85,23 @@ static bool gradients_setup(struct gradients *g, const struct corner c[3])
 }
 
 /* ceil(value) for |value| < 2^31: the cast cuts toward zero, which is below only what is > 0. */
-static int ceil_to_int(float value)
+static int ceil_to_int(double value)
 {
     const int cut = (int)value;
-    return cut + ((float)cut < value);
+    return cut + (cut < value);
 }
 
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses; steps on */
-    float x;      /* where it crosses the scanline y */
-    float x0, y0, x_step; /* the top corner; pixels right for a scanline down */
+    double x;     /* where it crosses the scanline y */
+    double x0, y0, x_step; /* the top corner; pixels right for a scanline down */
     struct linear at, step; /* there; and the change for a scanline down */
 };
 
 /* x(y) = x0 + (y - y0) dx/dy, from the first scanline at or below the top corner. Triangles that
- * share the edge find the same x, so their pixels meet without gap or overlap. Added up over 4096
- * scanlines x would drift, past the next edge where the two are near a common corner. */
+ * share the edge find the same x, so their pixels meet without gap or overlap. In double, and not
+ * added up: an edge that a sliver's rounding carried past the next one would draw pixels twice. */
 static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
                        const struct corner *bottom)
 {
@@ -111,7 +112,7 @@ static void edge_setup(struct edge *edge, const struct gradients *g, const struc
     const float prestep_y = edge->y - top->y; /* in [0, 1) */
     edge->x0 = top->x;
     edge->y0 = top->y;
-    edge->x_step = (bottom->x - top->x) / (bottom->y - top->y);
+    edge->x_step = ((double)bottom->x - top->x) / ((double)bottom->y - top->y);
     edge->x = edge->x0 + prestep_y * edge->x_step;
     edge->step = add(g->dy, scale(edge->x_step, g->dx));
     edge->at = add(top->at, scale(prestep_y, edge->step));
@@ -132,12 +133,14 @@ static void draw_span(struct image *frame, const struct image *texture, const st
     const int u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
     struct linear at = add(left->at, scale(x_start - left->x, g->dx)); /* at the pixel's centre */
+    TRACE_SPAN(y, left, right, at, g->dx)
 
     for (int x = x_start; x < x_end; x++) {
         /* Rounding can carry a sliver's 1/z below 0, and u and v out of their range: held. */
         const float z = 1 / max(at.one_over_z, g->one_over_z_min);
         const int u = (int)hold(at.u_over_z * z, g->u) & u_mask;
         const int v = (int)hold(at.v_over_z * z, g->v) & v_mask;
+        TRACE_PIXEL(row[x], at, z, u, v)
         row[x] = texture->pixels[v * texture->stride + u];
         at = add(at, g->dx);
     }

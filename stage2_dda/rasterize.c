@@ -4,6 +4,7 @@
  * After Chris Hecker, "Perspective Texture Mapping" II, Game Developer, 1995: see README.md. */
 #include <assert.h>
 #include "common/image.h"
+#include "common/trace.h"
 #include "common/vertex.h"
 
 static float min(float a, float b) { return a < b ? a : b; }
@@ -73,8 +74,8 @@ struct gradients {
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
-    const float x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
-    const float x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
+    const double x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
     g->area = x1 * y2 - x2 * y1;
     if (g->area == 0)
         return false;
@@ -138,12 +139,14 @@ static void draw_span(struct image *frame, const struct image *texture, const st
     const int u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
     struct linear at = left->at;
+    TRACE_SPAN(y, left, right, at, g->dx)
 
     for (int x = left->x; x < right->x; x++) {
         /* Rounding can carry a sliver's 1/z below 0, and u and v out of their range: held. */
         const float z = 1 / max(at.one_over_z, g->one_over_z_min);
         const int u = (int)hold(at.u_over_z * z, g->u) & u_mask;
         const int v = (int)hold(at.v_over_z * z, g->v) & v_mask;
+        TRACE_PIXEL(row[x], at, z, u, v)
         row[x] = texture->pixels[v * texture->stride + u];
         at = add(at, g->dx);
     }

@@ -4,6 +4,7 @@
  * After Chris Hecker, "Perspective Texture Mapping" III, Game Developer, 1995: see README.md. */
 #include <assert.h>
 #include "common/image.h"
+#include "common/trace.h"
 #include "common/vertex.h"
 
 static double min(double a, double b) { return a < b ? a : b; }
@@ -30,7 +31,6 @@ struct corner {
     int x, y; /* 28.4 pixels */
     struct linear at;
 };
-
 #define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
 /* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */
@@ -174,6 +174,7 @@ static void draw_span(struct image *frame, const struct image *texture, const st
     const uint32_t u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
     struct linear at = linear_at(g, left->x, y);
+    TRACE_SPAN(y, left, right, at, g->dx)
     const uint32_t u_rounding = rounding(at.u_over_z, g->dx.u_over_z, at, g->dx);
     const uint32_t v_rounding = rounding(at.v_over_z, g->dx.v_over_z, at, g->dx);
 
@@ -184,6 +185,7 @@ static void draw_span(struct image *frame, const struct image *texture, const st
         const int v_16_16 = (int)(hold(at.v_over_z * z, g->v) * TEXEL_ONE);
         const uint32_t u = (u_16_16 + u_rounding) >> 16 & u_mask;
         const uint32_t v = (v_16_16 + v_rounding) >> 16 & v_mask;
+        TRACE_PIXEL(row[x], at, z, u, v)
         row[x] = texture->pixels[v * texture->stride + u];
         at = add(at, g->dx);
     }

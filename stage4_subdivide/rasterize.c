@@ -4,6 +4,7 @@
  * After Chris Hecker, "Perspective Texture Mapping" IV, Game Developer, 1995: see README.md. */
 #include <assert.h>
 #include "common/image.h"
+#include "common/trace.h"
 #include "common/vertex.h"
 
 static float min(float a, float b) { return a < b ? a : b; }
@@ -30,7 +31,6 @@ struct corner {
     int x, y; /* 28.4 pixels */
     struct linear at;
 };
-
 #define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
 /* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */
@@ -159,7 +159,6 @@ static struct linear linear_at(const struct gradients *g, int x, int y)
 #ifndef SEGMENT_LENGTH
 #define SEGMENT_LENGTH 16 /* pixels from one divide to the next; tried with others too */
 #endif
-
 struct texel { float u, v; };
 struct line { int start, step; }; /* 16.16 */
 struct span { float one_over_z, u_over_z, v_over_z, one_over_z_dx, u_over_z_dx, v_over_z_dx; };
@@ -185,7 +184,7 @@ static inline struct line line_setup(float start, float end, int length)
     return (struct line){(int)(start * TEXEL_ONE) + half, (int)hold(step, int_range)};
 }
 
-/* `count` pixels on the line from start to end, `length` pixels on. One addition steps U and V: 2^31,
+/* `count` pixels on the line from start to end, `length` pixels on. One add steps U and V: 2^31,
  * a multiple of every texture's size, keeps U from 0 to 2^32, so that it carries nothing into V. */
 static inline void draw_segment(uint32_t *pixels, int count, const struct image *texture,
                                 struct texel start, struct texel end, int length)
@@ -196,8 +195,9 @@ static inline void draw_segment(uint32_t *pixels, int count, const struct image 
     const struct line v = line_setup(start.v, end.v, length);
     uint64_t vu = ((uint64_t)v.start << 32) + u.start + 0x80000000;
     const uint64_t vu_step = ((uint64_t)v.step << 32) + u.step;
-
+    TRACE_SEGMENT(pixels, count, length, start, end, u, v)
     for (int i = 0; i < count; i++, vu += vu_step)
+        TRACE_PIXEL(pixels[i], vu, u_mask, v_mask)
         pixels[i] = texels[(vu >> 48 & v_mask) * stride + (vu >> 16 & u_mask)];
 }
 
@@ -206,6 +206,7 @@ static void draw_span(struct image *frame, const struct image *texture, const st
                       const struct edge *left, const struct edge *right, int y)
 {
     const struct linear at = linear_at(g, left->x, y);
+    TRACE_SPAN(y, left, right, at, g->dx)
     const struct span s = {at.one_over_z,    at.u_over_z,    at.v_over_z,
                            g->dx.one_over_z, g->dx.u_over_z, g->dx.v_over_z};
     const int last = right->x - left->x - 1; /* no segment ends beyond: 1/z may reach 0 there */
@@ -215,11 +216,10 @@ static void draw_span(struct image *frame, const struct image *texture, const st
     struct texel start = texel_at(g, &s, 0), end = texel_at(g, &s, min(SEGMENT_LENGTH, last));
     int p = 0;
     for (; last - p >= SEGMENT_LENGTH; p += SEGMENT_LENGTH) {
-        /* One segment ahead: it is divided while this one is drawn. */
         const struct texel next = texel_at(g, &s, min(p + 2 * SEGMENT_LENGTH, last));
         draw_segment(&pixels[p], SEGMENT_LENGTH, texture, start, end, SEGMENT_LENGTH);
         start = end;
-        end = next;
+        end = next; /* one segment ahead: it was divided while this one was drawn */
     }
     draw_segment(&pixels[p], last - p + 1, texture, start, end, last - p);
 }

@@ -31,7 +31,6 @@ struct corner {
     int x, y; /* 28.4 pixels */
     struct linear at;
 };
-
 #define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
 /* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */

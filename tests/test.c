@@ -19,7 +19,11 @@ static const struct group groups[] = {
     {"cli", test_cli},
     {"exact", test_exact},
     {"gates", test_gates},
+    {"asm", test_asm},
     {"golden", test_golden},
+    {"limits", test_limits},
+    {"stability", test_stability},
+    {"trace", test_trace},
     {"bench", test_bench},
 };
 

@@ -12,8 +12,12 @@ void test_raster(void);
 void test_cli(void);
 void test_exact(void);
 void test_gates(void);
+void test_asm(void);
 void test_bench(void);
+void test_trace(void);
 void test_golden(void);
+void test_limits(void);
+void test_stability(void);
 
 /* Writes tests/golden/ anew. On failure `error` says why. */
 bool golden_renew(struct error *error);
@@ -22,8 +26,13 @@ bool golden_renew(struct error *error);
 void test_raster_mesh(void);
 void test_raster_random(void);
 
-/* The rest of the group `cli`: bad usage and input, run in the folder that cli_open made. */
+/* The rest of the group `cli`: bad usage and input; slow and large input. Run in the folder that
+ * cli_open made. */
 void test_cli_bad(void);
+void test_cli_slow(void);
+
+/* The rest of the group `limits`: where they are entered. */
+void test_limits_entry(void);
 
 /* The rest of the group `bench`: what it holds a frame to before it times it. */
 void test_bench_gate(void);

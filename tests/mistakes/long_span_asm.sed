@@ -1,0 +1,3 @@
+# stage5_asm/span.S: nothing beside the rows of frame and texture is touched
+# The same in assembly, in the first of four lanes.
+s/cmp  *esi, ebx/lea esi, [rsi - 1]; cmp esi, ebx; lea esi, [rsi + 1]/
