@@ -15,6 +15,7 @@ STAGES += stage5_asm
 ASM = $(patsubst stage5_asm/%.S,%,$(wildcard stage5_asm/*.S))
 endif
 SEGMENTS = 4 8 32 64 span
+TRACED = 1 2 3 4
 
 # tests/ holds programs of their own, what only the tests use, and what texmap is made of.
 PROGRAMS = texmap test room $(patsubst tests/%.c,%,$(wildcard tests/*_main.c))
@@ -24,24 +25,27 @@ HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcar
 
 STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
 	$(if $(filter span_exact_avx2,$(ASM)),$(BUILD)/stage5_asm/coda.o) \
-	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o)
+	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o)
 SHARED = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(HARNESS_SOURCES)) $(STAGE_OBJECTS)
 TEST_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,\
 	$(filter-out tests/test.c tests/texmap.c tests/fuzz_%,$(TEST_SOURCES))) \
 	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/*.S)))
 
-.PHONY: all test test-mistakes golden bench chart lesson clean help FORCE
+.PHONY: all test test-mistakes test-trace golden bench chart lesson clean help FORCE
 
 # The main job: the room through all five stages.
 all: $(BUILD)/texmap $(BUILD)/room
 	@$(BUILD)/room $(BUILD)/out
 
-test: $(BUILD)/texmap $(BUILD)/test test-mistakes
+test: $(BUILD)/texmap $(BUILD)/test test-mistakes test-trace
 	@$(BUILD)/test
 
 test-mistakes: $(SHARED) $(TEST_OBJECTS) $(BUILD)/tests/mistakes/main.o
 	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/mistakes.sh $(BUILD) \
 		$(BUILD)/tests/mistakes/main.o $(SHARED) $(TEST_OBJECTS)
+
+test-trace:
+	@CC='$(CC)' CFLAGS='$(CFLAGS) -std=c11 -ffp-contract=off -I.' sh tests/trace_vanishes.sh
 
 golden: $(BUILD)/test
 	$(BUILD)/test --golden
@@ -75,6 +79,14 @@ $(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o): $(BUILD)/stage4_subdivide/s
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(KEPT) -DSEGMENT_LENGTH=$(subst span,4096,$*) \
 		-Dstage4_draw_triangle=segment_$*_draw_triangle -c -o $@ $<
+
+# Stages 1 to 4 again, for `texmap trace`: there the macros of common/trace.h have a meaning.
+.SECONDEXPANSION:
+$(TRACED:%=$(BUILD)/trace/stage%.o): $(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) \
+		$(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace_hooks.h"' -DTRACE_STAGE=$* \
+		-Dstage$*_draw_triangle=trace$*_draw_triangle -c -o $@ $<
 
 # What `texmap bench` says it was built with.
 $(BUILD)/tests/bench_machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'

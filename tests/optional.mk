@@ -1,1 +1,66 @@
 # Targets that need more than a C11 compiler, make and libc. Each says clearly what it misses.
+
+#: make debug         build/debug/texmap with -O0 -g, to step through a stage in gdb
+.PHONY: debug
+debug:
+	@$(MAKE) BUILD=$(BUILD)/debug CFLAGS='-O0 -g' $(BUILD)/debug/texmap
+
+#: make readme        the tables in the READMEs, anew from tests/results/ and the sources
+.PHONY: readme
+readme: $(BUILD)/texmap $(BUILD)/readme
+	@TEXMAP_PROGRAM=$(BUILD)/texmap $(BUILD)/readme
+
+$(BUILD)/readme: $(BUILD)/%: $(BUILD)/tests/%_main.o $(SHARED)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+#: make pictures      the pictures in the READMEs, anew
+.PHONY: pictures
+pictures: $(BUILD)/texmap
+	@sh tests/pictures.sh $(BUILD)/texmap
+
+#: make test-matrix   the same frames from gcc and clang at -O0 to -O3 and -Os, and -march=native
+#: make test-contract a build that may fuse a*b + c draws other frames, and the tests notice
+#: make test-aarch64  stages 1 to 4 on another processor: the same frames, the same exact answer
+#: make sanitize      every test, built with the address and undefined behaviour sanitizers
+
+.PHONY: test-matrix test-contract test-aarch64 sanitize
+
+test-matrix:
+	@sh tests/same_bits.sh matrix $(BUILD)
+
+test-contract:
+	@CC='$(CC)' KEPT='$(KEPT)' sh tests/same_bits.sh contract $(BUILD)
+
+test-aarch64: $(BUILD)/texmap
+	@sh tests/same_bits.sh aarch64 $(BUILD)
+
+SANITIZE = -fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero \
+	-fno-sanitize-recover=all
+# A report ends the program with a status that no command has, so that a test that waits for an
+# error does not take it for one.
+SANITIZE_OPTIONS = exitcode=99:print_stacktrace=1
+
+sanitize:
+	@command -v clang > /dev/null || { echo 'clang is missing: Debian package clang'; exit 1; }
+	@mkdir -p $(BUILD)/sanitize
+	@echo 'int main(void) { return 0; }' | \
+		clang $(SANITIZE) -x c -o $(BUILD)/sanitize/tried - 2> /dev/null || \
+		{ echo "clang's sanitizers are missing: Debian package libclang-rt-dev"; exit 1; }
+	@$(MAKE) -s BUILD=$(BUILD)/sanitize CC=clang CFLAGS='-O1 -g $(SANITIZE)' \
+		$(BUILD)/sanitize/texmap $(BUILD)/sanitize/test
+	@ASAN_OPTIONS=detect_leaks=1:$(SANITIZE_OPTIONS) UBSAN_OPTIONS=$(SANITIZE_OPTIONS) \
+		TEXMAP_PROGRAM=$(BUILD)/sanitize/texmap $(BUILD)/sanitize/test
+
+EXERCISE_JUDGE = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/exercises/*.c))
+EXERCISE_OBJECTS = $(EXERCISE_JUDGE) $(SHARED) $(BUILD)/tests/check.o
+
+#: make exercise N=3 E=1   an exercise of a lesson: your copy, built and judged
+.PHONY: exercise
+exercise: $(EXERCISE_OBJECTS)
+	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/exercise.sh $(BUILD) '$(N)' '$(E)' \
+		$(EXERCISE_OBJECTS)
+
+#: make test-exercises     are the exercises' starting points failed, and their solutions passed?
+.PHONY: test-exercises
+test-exercises: $(EXERCISE_OBJECTS)
+	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/exercise.sh $(BUILD) prove $(EXERCISE_OBJECTS)

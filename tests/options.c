@@ -1,5 +1,6 @@
 #include "tests/options.h"
 
+#include <limits.h>
 #include <stddef.h>
 #include <string.h>
 #include "common/scene.h"
@@ -98,6 +99,11 @@ static const struct rule rules[] = {
     {OPTION_CSV, "--csv", "FILE", "where to write the table as CSV", FIELD(csv), parse_text, 0, 0},
     {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
      FIELD(seconds), parse_int, 1, SECONDS_MAX},
+    {OPTION_TRIANGLE, "--triangle", "K", "which, counted from 0 in drawing order (default 0)",
+     FIELD(triangle), parse_int, 0, INT_MAX},
+    {OPTION_ROW, "--row", "Y", "only this scanline of it", FIELD(row), parse_int, 0,
+     FRAME_SIDE_MAX - 1},
+    {OPTION_JSON, "--json", "FILE", "where to write it as JSON", FIELD(json), parse_text, 0, 0},
 };
 
 #define RULE_COUNT (sizeof rules / sizeof rules[0])

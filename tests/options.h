@@ -21,6 +21,9 @@ enum option {
     OPTION_MAX_PIXELS = 1 << 9,
     OPTION_CSV = 1 << 10,
     OPTION_SECONDS = 1 << 11,
+    OPTION_TRIANGLE = 1 << 12,
+    OPTION_ROW = 1 << 13,
+    OPTION_JSON = 1 << 14,
 };
 
 /* What says which triangles to draw, and on a frame of which size: see tests/source.h. */
@@ -33,8 +36,9 @@ struct size {
 struct options {
     unsigned given; /* the set of options on the command line; the other fields are defaults */
     /* NULL: not given */
-    const char *argument, *stage, *stages, *scene, *triangles, *texture, *output, *csv;
-    int frame, max_pixels, seconds;
+    const char *argument, *stage, *stages, *scene, *triangles, *texture, *output, *csv,
+        *json;
+    int frame, max_pixels, seconds, triangle, row;
     struct size size; /* 640x480 */
 };
 

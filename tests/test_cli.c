@@ -202,5 +202,6 @@ void test_cli(void)
     }
     test_texture_file();
     test_cli_bad();
+    test_cli_slow();
     cli_close();
 }

@@ -21,6 +21,7 @@ static const struct command *const commands[] = {
     &command_accuracy,
     &command_bench,
     &command_chart,
+    &command_trace,
     &command_scene,
     &command_help,
 };
