@@ -25,6 +25,12 @@ pictures: $(BUILD)/texmap
 
 .PHONY: test-matrix test-contract test-aarch64 sanitize
 
+GOLDEN = golden_main test_golden check source options stages exact
+$(BUILD)/golden: $(GOLDEN:%=$(BUILD)/tests/%.o) \
+		$(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c)) \
+		$(filter-out $(BUILD)/trace/%,$(STAGE_OBJECTS))
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
 test-matrix:
 	@sh tests/same_bits.sh matrix $(BUILD)
 
@@ -64,3 +70,15 @@ exercise: $(EXERCISE_OBJECTS)
 .PHONY: test-exercises
 test-exercises: $(EXERCISE_OBJECTS)
 	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/exercise.sh $(BUILD) prove $(EXERCISE_OBJECTS)
+
+#: make test-long     stage 5's assembly against stage 4's C in 100 million spans: a minute
+#: make test-valgrind some of the tests under valgrind's memcheck: two minutes
+.PHONY: test-long test-valgrind
+
+test-long: $(BUILD)/test
+	@TEXMAP_SPANS=100000000 $(BUILD)/test asm
+
+test-valgrind: $(BUILD)/test
+	@command -v valgrind > /dev/null || { echo 'valgrind is missing: Debian package valgrind'; exit 1; }
+	@TEXMAP_SPANS=10000 valgrind -q --error-exitcode=99 --leak-check=full \
+		$(BUILD)/test raster asm files clip
