@@ -1,4 +1,4 @@
-/* Stage 1: perspective texture mapping all in float, a divide for every pixel.
+/* Stage 1: perspective texture mapping in floating point, a divide for every pixel.
  * Seen in perspective, u and v are not linear on the screen, but 1/z, u/z and v/z are: they are
  * stepped from pixel to pixel, and u = (u/z) / (1/z) is found at each one.
  * After Chris Hecker, "Perspective Texture Mapping" I, Game Developer, 1995: see README.md. */

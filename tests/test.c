@@ -25,6 +25,8 @@ static const struct group groups[] = {
     {"stability", test_stability},
     {"trace", test_trace},
     {"bench", test_bench},
+    {"report", test_report},
+    {"readme", test_readme},
 };
 
 #define GROUP_COUNT ((int)(sizeof groups / sizeof groups[0]))
