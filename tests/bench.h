@@ -5,6 +5,7 @@
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
 
+#include <stdio.h>
 #include "tests/accuracy.h"
 
 #define BENCH_STAGES_MAX 20
@@ -66,7 +67,10 @@ const struct bench_row *bench_find(const struct bench *bench, const struct bench
 double bench_ns_per_pixel(const struct bench_row *row, double ns);
 double bench_ns_per_triangle(const struct bench_row *row, double ns);
 
-/* Writes the rows as CSV, comments with the machine on top. On failure no file is left behind. */
+/* Prints the rows as CSV, comments with the machine on top. */
+void bench_print_csv(FILE *file, const struct bench *bench);
+
+/* The same into a file. On failure no file is left behind. */
 bool bench_write_csv(const char *path, const struct bench *bench, struct error *error);
 
 void bench_close(struct bench *bench);

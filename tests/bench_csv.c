@@ -31,13 +31,8 @@ static void write_row(FILE *file, const struct bench *bench, const struct bench_
     fprintf(file, ",%zu\n", row->pixels);
 }
 
-bool bench_write_csv(const char *path, const struct bench *bench, struct error *error)
+void bench_print_csv(FILE *file, const struct bench *bench)
 {
-    FILE *file = file_create(path, error);
-
-    if (!file) {
-        return false;
-    }
     machine_print(file, "# ");
     fprintf(file, "# rounds: %d\n", bench->rounds);
     for (int i = 0; i < bench->row_count; i++) {
@@ -54,5 +49,15 @@ bool bench_write_csv(const char *path, const struct bench *bench, struct error *
     for (int i = 0; i < bench->row_count; i++) {
         write_row(file, bench, &bench->rows[i]);
     }
+}
+
+bool bench_write_csv(const char *path, const struct bench *bench, struct error *error)
+{
+    FILE *file = file_create(path, error);
+
+    if (!file) {
+        return false;
+    }
+    bench_print_csv(file, bench);
     return file_finish(file, path, error);
 }

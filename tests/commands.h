@@ -18,6 +18,6 @@ struct command {
 };
 
 extern const struct command command_render, command_diff, command_accuracy, command_bench,
-    command_chart, command_trace, command_scene;
+    command_chart, command_trace, command_scene, command_report;
 
 #endif

@@ -5,96 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/csv.h"
+#include "tests/test_json.h"
 #include "tests/test_trace.h"
-
-/* Is a JSON value there? Returns what follows it, or NULL. Enough of JSON for what is written:
- * strings hold no backslash. */
-static const char *json_value(const char *text);
-
-static const char *skip_space(const char *text)
-{
-    return text + strspn(text, " \n");
-}
-
-static const char *json_string(const char *text)
-{
-    const char *end = *text == '"' ? strpbrk(text + 1, "\"\\\n") : NULL;
-    return end && *end == '"' ? end + 1 : NULL;
-}
-
-/* -?(0|[1-9][0-9]*)(.[0-9]+)?(e[+-]?[0-9]+)? */
-static const char *json_number(const char *text)
-{
-    const char *digits = text + (*text == '-'), *end = digits + strspn(digits, "0123456789");
-
-    if (end == digits || (*digits == '0' && end != digits + 1)) {
-        return NULL;
-    }
-    for (const char *mark = ".e"; *mark; mark++) {
-        if (*end == *mark) {
-            digits = end + 1;
-            digits += *mark == 'e' && (*digits == '-' || *digits == '+');
-            end = digits + strspn(digits, "0123456789");
-            if (end == digits) {
-                return NULL;
-            }
-        }
-    }
-    return end;
-}
-
-/* What stands between brackets: values, or a key and a value each, with commas between. */
-static const char *json_members(const char *text, bool keys, char close)
-{
-    text = skip_space(text + 1);
-    for (bool first = true; text && (*text != close || !first); first = false) {
-        if (keys) {
-            text = json_string(text);
-            if (!text || *text++ != ':') {
-                return NULL;
-            }
-        }
-        text = json_value(text);
-        if (!text || *text == close || *text != ',') {
-            break;
-        }
-        text = skip_space(text + 1);
-    }
-    return text && *text == close ? text + 1 : NULL;
-}
-
-static const char *json_value(const char *text)
-{
-    text = skip_space(text);
-    const char *end = strncmp(text, "null", 4) == 0 ? text + 4
-                      : *text == '{'                ? json_members(text, true, '}')
-                      : *text == '['                ? json_members(text, false, ']')
-                      : *text == '"'                ? json_string(text)
-                                                    : json_number(text);
-    return end ? skip_space(end) : NULL;
-}
-
-static bool is_json(const char *text)
-{
-    const char *end = json_value(text);
-    return end && *end == '\0';
-}
-
-static void test_checker(void)
-{
-    const char *const good[] = {"{}", "[]", "[1,-2.5,3e-07,null]",
-                                "{\"a\":[{\"b\":0}],\"c\":\"d\"}\n"};
-    const char *const bad[] = {"",      "{",      "[1,]", "[,1]", "[1 2]", "{\"a\"}",
-                               "{a:1}", "[nan]",  "[01]", "[1.]", "[-]",   "{\"a\":}",
-                               "[1]]",  "[inf]",  "[1e]", "\"",   "[nul]", "{\"a\":1,}"};
-
-    for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
-        check(is_json(good[i]), "the checker takes JSON", "not %s", good[i]);
-    }
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        check(!is_json(bad[i]), "the checker refuses what is no JSON", "not %s", bad[i]);
-    }
-}
 
 static size_t occurrences(const char *text, const char *part)
 {
@@ -179,7 +91,7 @@ static void test_writers(const struct stage *stage, struct random *random,
     }
     char *json = written(trace_write_json, &trace), *table = written(trace_write_table, &trace);
     char *text = written(trace_write_csv, &trace);
-    check(json && is_json(json) && occurrences(json, "\"texel_u\":") == trace.pixel_count &&
+    check(json && json_valid(json) && occurrences(json, "\"texel_u\":") == trace.pixel_count &&
               occurrences(json, "\"y\":") == trace.row_count + 6 &&
               occurrences(json, "\"u_step_16_16\":") == trace.segment_count,
           "the JSON is well formed, with all rows, segments and pixels", "%s", stage->name);
@@ -206,7 +118,7 @@ void test_trace_files(void)
     struct random random = random_start(0x7B);
     struct image texture;
 
-    test_checker();
+    test_json();
     if (!check(texture_create(&texture, TEXTURE_COORD), "memory for a texture", "none")) {
         return;
     }

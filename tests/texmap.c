@@ -23,6 +23,7 @@ static const struct command *const commands[] = {
     &command_chart,
     &command_trace,
     &command_scene,
+    &command_report,
     &command_help,
 };
 
