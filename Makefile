@@ -18,7 +18,8 @@ SEGMENTS = 4 8 32 64 span
 TRACED = 1 2 3 4
 
 # tests/ holds programs of their own, what only the tests use, and what texmap is made of.
-PROGRAMS = texmap test room $(patsubst tests/%.c,%,$(wildcard tests/*_main.c))
+MAINS = $(patsubst tests/%_main.c,%,$(wildcard tests/*_main.c))
+PROGRAMS = texmap test $(MAINS:%=%_main)
 TEST_SOURCES = $(wildcard tests/test*.c tests/fuzz_*.c tests/check.c tests/cli.c tests/padded.c \
 	tests/png_decode.c tests/coda_twin.c)
 HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcard tests/*.c))
@@ -26,7 +27,9 @@ HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcar
 STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
 	$(if $(filter span_exact_avx2,$(ASM)),$(BUILD)/stage5_asm/coda.o) \
 	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o)
-SHARED = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(HARNESS_SOURCES)) $(STAGE_OBJECTS)
+# The page of `texmap report`: its files, as one C file.
+PAGE_FILES = $(sort $(wildcard tests/report/*.html tests/report/*.css tests/report/*.js))
+SHARED = $(BUILD)/tests/report_page.o $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(HARNESS_SOURCES)) $(STAGE_OBJECTS)
 TEST_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,\
 	$(filter-out tests/test.c tests/texmap.c tests/fuzz_%,$(TEST_SOURCES))) \
 	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/*.S)))
@@ -59,7 +62,10 @@ chart: bench
 lesson: $(BUILD)/texmap
 	@sh tests/lesson.sh $(BUILD) '$(N)'
 
-$(BUILD)/texmap $(BUILD)/room: $(BUILD)/%: $(BUILD)/tests/%.o $(SHARED)
+$(BUILD)/texmap: $(BUILD)/tests/texmap.o $(SHARED)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+$(patsubst %,$(BUILD)/%,$(filter-out golden,$(MAINS))): $(BUILD)/%: $(BUILD)/tests/%_main.o $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/test: $(BUILD)/tests/test.o $(TEST_OBJECTS) $(SHARED)
@@ -87,6 +93,13 @@ $(TRACED:%=$(BUILD)/trace/stage%.o): $(BUILD)/trace/stage%.o: $$(wildcard stage$
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace_hooks.h"' -DTRACE_STAGE=$* \
 		-Dstage$*_draw_triangle=trace$*_draw_triangle -c -o $@ $<
+
+$(BUILD)/tests/report_page.c: tests/report/embed.sh $(PAGE_FILES)
+	@mkdir -p $(@D)
+	sh $^ > $@.new && mv $@.new $@
+
+$(BUILD)/tests/report_page.o: $(BUILD)/tests/report_page.c $(BUILD)/flags
+	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
 
 # What `texmap bench` says it was built with.
 $(BUILD)/tests/bench_machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'

@@ -1,17 +1,5 @@
 # Targets that need more than a C11 compiler, make and libc. Each says clearly what it misses.
 
-# The page of `texmap report`, as a C file that holds the files that it is made of.
-PAGE_FILES = $(sort $(wildcard tests/report/*.html tests/report/*.css tests/report/*.js))
-SHARED += $(BUILD)/tests/report_page.o
-$(BUILD)/texmap $(BUILD)/room $(BUILD)/test test-mistakes: $(BUILD)/tests/report_page.o
-
-$(BUILD)/tests/report_page.c: tests/report/embed.sh $(PAGE_FILES)
-	@mkdir -p $(@D)
-	sh $^ > $@.new && mv $@.new $@
-
-$(BUILD)/tests/report_page.o: $(BUILD)/tests/report_page.c $(BUILD)/flags
-	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
-
 #: make report        the page on which to step through what the stages do: build/report/index.html
 #: make test-page     that page in headless Chromium, held against the program's own numbers
 .PHONY: report test-page
@@ -20,9 +8,6 @@ report: $(BUILD)/texmap
 
 test-page: $(BUILD)/texmap $(BUILD)/stability
 	@sh tests/page/test.sh $(BUILD)
-
-$(BUILD)/stability: $(BUILD)/%: $(BUILD)/tests/%_main.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 #: make debug         build/debug/texmap with -O0 -g, to step through a stage in gdb
 .PHONY: debug
@@ -33,9 +18,6 @@ debug:
 .PHONY: readme
 readme: $(BUILD)/texmap $(BUILD)/readme
 	@TEXMAP_PROGRAM=$(BUILD)/texmap $(BUILD)/readme
-
-$(BUILD)/readme: $(BUILD)/%: $(BUILD)/tests/%_main.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 #: make pictures      the pictures in the READMEs, anew
 .PHONY: pictures

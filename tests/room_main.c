@@ -3,33 +3,16 @@
  * 2: something could not be done. */
 #define _POSIX_C_SOURCE 200809L
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "tests/bench.h"
 #include "tests/bench_machine.h"
+#include "tests/folder.h"
 
 #define WIDTH 640
 #define HEIGHT 480
 #define SECONDS 4 /* for the measurements, on a slow machine */
-
-/* Makes the folder, and those that it lies in. */
-static bool make_folder(const char *path, struct error *error)
-{
-    char part[PATH_MAX];
-
-    for (const char *end = path; *end != '\0';) {
-        end += strspn(end, "/");
-        end += strcspn(end, "/");
-        snprintf(part, sizeof part, "%.*s", (int)(end - path), path);
-        if (mkdir(part, 0777) != 0 && errno != EEXIST) {
-            return error_set(error, "%s: cannot be made: %s", part, strerror(errno));
-        }
-    }
-    return true;
-}
 
 static bool picture_path(char path[PATH_MAX], const char *folder, const struct stage *stage,
                          struct error *error)
@@ -159,7 +142,7 @@ int main(int argc, char **argv)
         }
     }
     machine_pin();
-    if (!make_folder(argv[1], &error) || !bench_open(&bench, &choice, &error)) {
+    if (!folder_create(argv[1], &error) || !bench_open(&bench, &choice, &error)) {
         fprintf(stderr, "room: %s\n", error.text);
         return 2;
     }
