@@ -21,7 +21,7 @@ TRACED = 1 2 3 4
 MAINS = $(patsubst tests/%_main.c,%,$(wildcard tests/*_main.c))
 PROGRAMS = texmap test $(MAINS:%=%_main)
 TEST_SOURCES = $(wildcard tests/test*.c tests/fuzz_*.c tests/check.c tests/cli.c tests/padded.c \
-	tests/png_decode.c tests/coda_twin.c)
+	tests/png_decode.c tests/coda_twin.c tests/promises*.c)
 HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcard tests/*.c))
 
 STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
@@ -93,6 +93,9 @@ $(TRACED:%=$(BUILD)/trace/stage%.o): $(BUILD)/trace/stage%.o: $$(wildcard stage$
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace_hooks.h"' -DTRACE_STAGE=$* \
 		-Dstage$*_draw_triangle=trace$*_draw_triangle -c -o $@ $<
+
+PROMISES = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/promises*.c) tests/check.c)
+$(BUILD)/torture: $(PROMISES)
 
 $(BUILD)/tests/report_page.c: tests/report/embed.sh $(PAGE_FILES)
 	@mkdir -p $(@D)

@@ -88,3 +88,39 @@ test-valgrind: $(BUILD)/test
 	@command -v valgrind > /dev/null || { echo 'valgrind is missing: Debian package valgrind'; exit 1; }
 	@TEXMAP_SPANS=10000 valgrind -q --error-exitcode=99 --leak-check=full \
 		$(BUILD)/test raster asm files clip
+
+#: make stability     the stability table and its curves, to tests/results/
+.PHONY: stability
+stability: $(BUILD)/stability
+	$(BUILD)/stability --csv tests/results/stability.csv --curves tests/results
+
+#: make torture       ten million random triangles through all stages, the promises as assertions
+.PHONY: torture
+torture: $(BUILD)/torture
+	$(BUILD)/torture --count 10000000
+
+#: make fuzz          libFuzzer on both readers and on all stages, a minute each (FUZZ_SECONDS=60)
+.PHONY: fuzz
+FUZZ_SECONDS = 60
+FUZZERS = tri ppm triangles
+FUZZ_FLAGS = -O1 -g $(SANITIZE) -fsanitize=fuzzer-no-link
+
+$(FUZZERS:%=$(BUILD)/fuzz_%): $(BUILD)/%: $(BUILD)/tests/%.o $(PROMISES) $(SHARED)
+	$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+
+fuzz:
+	@command -v clang > /dev/null || { echo 'clang is missing: Debian package clang'; exit 1; }
+	@mkdir -p $(BUILD)/fuzz
+	@echo '#include <stddef.h>' > $(BUILD)/fuzz/tried.c
+	@echo 'int LLVMFuzzerTestOneInput(const char *b, size_t n) { return !b && n; }' \
+		>> $(BUILD)/fuzz/tried.c
+	@clang -fsanitize=fuzzer -o $(BUILD)/fuzz/tried $(BUILD)/fuzz/tried.c 2> /dev/null || \
+		{ echo "clang's libFuzzer is missing: Debian package libclang-rt-dev"; exit 1; }
+	@$(MAKE) -s BUILD=$(BUILD)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS)' \
+		$(FUZZERS:%=$(BUILD)/fuzz/fuzz_%)
+	@for target in $(FUZZERS); do \
+		mkdir -p $(BUILD)/fuzz/corpus/$$target && \
+		$(BUILD)/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
+			-artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/corpus/$$target \
+			tests/corpus/$$target || exit 1; \
+	done
