@@ -96,7 +96,7 @@ static int floor_div(int numerator, int denominator)
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x, x_step; /* first pixel at or right of the crossing; pixels right a scanline, cut */
+    int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
     struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
 };

@@ -114,7 +114,7 @@ static int floor_div(int numerator, int denominator)
 /* An edge from its top to its bottom corner, and where it is on the current scanline. */
 struct edge {
     int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
-    int x, x_step; /* first pixel at or right of the crossing; pixels right a scanline, cut */
+    int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
 };
 

@@ -102,16 +102,21 @@ static double time_row(struct bench *bench, const struct bench_row *row)
     return 1e9 * (bench_clock() - start);
 }
 
-/* Each round begins one row further on, so that none always comes after the same other. False where
- * the deadline cuts it. */
+/* Each round begins one row further on. A change of scene is drawn once untimed: or else its first
+ * stage, always the same, would pay for the others' cold caches. False where the deadline cuts it. */
 static bool take_turns(struct bench *bench, int round, double deadline)
 {
     const int count = bench->row_count + 1;
+    const struct source *warm = NULL;
 
     for (int i = 0; i < count; i++) {
         struct bench_row *row = &bench->rows[(i + round) % count];
         if (bench_clock() >= deadline) {
             return false;
+        }
+        if (row->source && row->source != warm) {
+            time_row(bench, row);
+            warm = row->source;
         }
         if (!row->wrong) {
             row->ns[round] = time_row(bench, row);
