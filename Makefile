@@ -10,8 +10,11 @@ KEPT = -std=c11 -ffp-contract=off -Wall -Wextra -Wpedantic -I. -MMD -MP
 LDLIBS = -lm
 
 STAGES = stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide
-ifneq ($(findstring x86_64,$(shell $(CC) $(CFLAGS) -dumpmachine 2>/dev/null)),)
+# Stage 5 is for 64-bit x86 and ELF: elsewhere it is left out, and every command says so.
+MACHINE := $(shell $(CC) $(CFLAGS) -E -dM -x c /dev/null 2>/dev/null)
+ifeq ($(words $(filter __x86_64__ __ELF__ __LP64__,$(MACHINE))),3)
 STAGES += stage5_asm
+KEPT += -DTEXMAP_STAGE5
 ASM = $(patsubst stage5_asm/%.S,%,$(wildcard stage5_asm/*.S))
 endif
 SEGMENTS = 4 8 32 64 span

@@ -99,6 +99,8 @@ struct edge {
     struct linear at, step; /* there; and the change for a scanline down */
 };
 
+#define X_ERROR 0x1p-39 /* more than x errs by: see draw_span */
+
 /* x(y) = x0 + (y - y0) dx/dy, from the first scanline at or below the top corner. Triangles that
  * share the edge find the same x, so their pixels meet without gap or overlap. In double, and not
  * added up: an edge that a sliver's rounding carried past the next one would draw pixels twice. */
@@ -129,7 +131,8 @@ static void edge_step(struct edge *edge)
 static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
                       const struct edge *left, const struct edge *right, int y)
 {
-    const int x_start = ceil_to_int(left->x), x_end = ceil_to_int(right->x);
+    /* An edge through a pixel's centre must not seem to pass to the right of it. */
+    const int x_start = ceil_to_int(left->x - X_ERROR), x_end = ceil_to_int(right->x - X_ERROR);
     const int u_mask = texture->width - 1, v_mask = texture->height - 1;
     uint32_t *row = &frame->pixels[y * frame->stride];
     struct linear at = add(left->at, scale(x_start - left->x, g->dx)); /* at the pixel's centre */

@@ -104,7 +104,7 @@ struct edge {
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (y - y0) dx,  D = dy,  error = the remainder
  * A scanline down N grows by dx = x_step D + numerator. Where the error reaches D it is worth one
- * pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
+ * pixel more: the carry. All integers: nothing is rounded, on any scanline. */
 static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
                        const struct corner *bottom)
 {

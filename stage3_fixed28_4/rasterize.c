@@ -1,4 +1,4 @@
-/* Stage 3: 28.4 fixed-point vertices and edges; texels are rounded, no longer cut.
+/* Stage 3: 28.4 fixed-point vertices and edges, the rest in double; texels rounded, not cut.
  * Seen in perspective, u and v are not linear on the screen, but 1/z, u/z and v/z are: they are
  * stepped from pixel to pixel, and u = (u/z) / (1/z) is found at each one.
  * After Chris Hecker, "Perspective Texture Mapping" III, Game Developer, 1995: see README.md. */
@@ -121,7 +121,7 @@ struct edge {
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
  * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
- * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
+ * one pixel more: the carry. All integers: nothing is rounded, on any scanline. */
 static void edge_setup(struct edge *edge, const struct corner *top, const struct corner *bottom)
 {
     edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);

@@ -57,7 +57,7 @@ static void corners_setup(struct corner c[3], const struct vertex v[3])
 }
 
 struct range { float low, high; }; /* what u or v cannot leave inside the triangle */
-#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses below, too little to change a texel */
+#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses; may bend a segment by as much */
 
 /* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
  * max the range of the triangle's three: from lo - 1/2 to hi + 1/2. A u that is constant, on the
@@ -121,7 +121,7 @@ struct edge {
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
  * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
- * one pixel more: the carry. All integers: nothing is lost on the way down, as it is in float. */
+ * one pixel more: the carry. All integers: nothing is rounded, on any scanline. */
 static void edge_setup(struct edge *edge, const struct corner *top, const struct corner *bottom)
 {
     edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
@@ -163,7 +163,7 @@ struct texel { float u, v; };
 struct line { int start, step; }; /* 16.16 */
 struct span { float one_over_z, u_over_z, v_over_z, one_over_z_dx, u_over_z_dx, v_over_z_dx; };
 
-/* The exact texel coordinates at pixel p of a span, counted from its first, and evaluated from
+/* The true texel coordinates at pixel p of a span, counted from its first, and evaluated from
  * there, so that no error adds up:  u = (u/z + p d(u/z)/dx) (1 / (1/z + p d(1/z)/dx)) */
 static inline struct texel texel_at(const struct gradients *g, const struct span *s, float p)
 {
@@ -175,10 +175,10 @@ static inline struct texel texel_at(const struct gradients *g, const struct span
 
 /* A 16.16 coordinate on its way from start to end, `length` pixels on. Where it rises the texel is
  * floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to size - 1/2, or back, stays
- * inside. 1/65536 brings a c that was rounded off its border back. The step is cut toward zero. */
+ * inside. The odd 1/65536 is for a c rounded off its border. The step is cut toward zero. */
 static inline struct line line_setup(float start, float end, int length)
 {
-    const struct range int_range = {-2147483520.0f, 2147483520.0f}; /* the last floats in it */
+    const struct range int_range = {-2147483520.0f, 2147483520.0f}; /* floats inside it */
     const float step = (end - start) * (length > 0 ? (float)TEXEL_ONE / length : 0);
     const int half = end >= start ? TEXEL_ONE / 2 + 1 : TEXEL_ONE / 2 - 1;
     return (struct line){(int)(start * TEXEL_ONE) + half, (int)hold(step, int_range)};

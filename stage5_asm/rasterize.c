@@ -57,7 +57,7 @@ static void corners_setup(struct corner c[3], const struct vertex v[3])
 }
 
 struct range { float low, high; }; /* what u or v cannot leave inside the triangle */
-#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses below, too little to change a texel */
+#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses; may bend a segment by as much */
 
 /* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
  * max the range of the triangle's three: from lo - 1/2 to hi + 1/2. A u that is constant, on the
@@ -118,8 +118,8 @@ struct edges {
 
 /* x(y) = ceil(x0 + (y - y0) dx/dy) as in stage 4, but a double's low bits carry the error term. The
  * quotient is a multiple of 1/D, D = 16 dy. Half of that less, it is 1/(2D) = 2^-5/dy away from any
- * integer; and |x| <= 2^28/dy on any scanline, so that 2^10 additions err by less than 2^-15/dy. So
- * 1 more, and cut, it is the ceiling: exactly. */
+ * integer; and |x| is about 2^28/dy at most, 2^12 scanlines away from the edge, so that some 2^10
+ * roundings err by less than 2^-14/dy. So 1 more, and cut, it is the ceiling: exactly. */
 static void edge_setup(struct edges *edges, int i, const struct corner *top,
                        const struct corner *bottom)
 {
@@ -132,12 +132,18 @@ static void edge_setup(struct edges *edges, int i, const struct corner *top,
 /* In span.S: all of the triangle's pixels. */
 void stage5_draw_rows(struct image *frame, const struct image *texture, const struct gradients *g,
                       const struct edges *edges);
-_Static_assert(offsetof(struct image, pixels) == 16, "I_PIXELS in span.S");
+_Static_assert(offsetof(struct image, height) == 4 && offsetof(struct image, stride) == 8 &&
+               offsetof(struct image, pixels) == 16, "I_HEIGHT, I_STRIDE, I_PIXELS in span.S");
 _Static_assert(offsetof(struct gradients, dx) == 8, "G_DX in span.S");
-_Static_assert(offsetof(struct gradients, origin) == 56, "G_X in span.S");
+_Static_assert(offsetof(struct gradients, dy) == 32 && offsetof(struct gradients, origin) == 56 &&
+               offsetof(struct corner, y) == 4 && offsetof(struct corner, at) == 8,
+               "G_DY, G_X, G_Y, G_AT in span.S");
 _Static_assert(offsetof(struct gradients, one_over_z_min) == 88, "G_ONE_OVER_Z_MIN in span.S");
-_Static_assert(offsetof(struct gradients, v) == 100, "G_RANGES in span.S");
-_Static_assert(offsetof(struct edges, x_step) == 40, "E_X_STEP in span.S");
+_Static_assert(offsetof(struct gradients, u) == 92 && offsetof(struct gradients, v) == 100 &&
+               offsetof(struct range, high) == 4, "G_RANGES in span.S");
+_Static_assert(offsetof(struct edges, y_middle) == 4 && offsetof(struct edges, y_end) == 8 &&
+               offsetof(struct edges, x) == 16 && offsetof(struct edges, x_step) == 40,
+               "E_Y_MIDDLE, E_Y_END, E_X, E_X_STEP in span.S");
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
  * - 1/2, and in the limits of common/vertex.h. The texture repeats; its sides are powers of two. */

@@ -81,7 +81,7 @@
         .set    F_LANE, F_GROUPS_END + 8
         .set    F_LANE_ROW, F_LANE + 8
         .set    F_LAST, F_LANE_ROW + 8          /* the largest of four last pixels */
-        .set    F_SIZE, F_LAST + 8              /* 8 more than a multiple of 16: see enter */
+        .set    F_SIZE, F_LAST + 8              /* with a call and six pushes 16 n */
         .if     F_SIZE % 16 != 8
         .error  "the frame would not be aligned"
         .endif
@@ -222,6 +222,7 @@ one_subpixel:   .double 0.0625, 0.0625
  * pixel goes on where nobody sees it: a branch for each lane would be mispredicted too often. */
         .balign 16
 draw_columns:
+        .cfi_startproc
         mov     esi, ebx                        /* esi = the largest last pixel */
         cmp     esi, ebp
         cmovl   esi, ebp
@@ -251,6 +252,7 @@ draw_columns:
         cmp     esi, [rsp + 8 + F_LAST]
         jle     1b
         ret
+        .cfi_endproc
 
 /* What stays the same for all scanlines: the plane's origin and slopes, the ranges, the masks. The
  * edges' x, which grow from four scanlines to the next. */
@@ -328,14 +330,28 @@ draw_columns:
         .globl  stage5_draw_rows
         .type   stage5_draw_rows, @function
 stage5_draw_rows:
+        .cfi_startproc
         endbr64
         push    rbx
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset rbx, 0
         push    rbp
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset rbp, 0
         push    r12
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset r12, 0
         push    r13
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset r13, 0
         push    r14
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset r14, 0
         push    r15
+        .cfi_adjust_cfa_offset 8
+        .cfi_rel_offset r15, 0
         sub     rsp, F_SIZE
+        .cfi_adjust_cfa_offset F_SIZE
         mov     r12d, [rcx + E_Y_END]
         sub     r12d, [rcx + E_Y]               /* scanlines left */
         load
@@ -458,14 +474,23 @@ draw_groups:
         mov     r12d, [rsp + F_SCANLINES]
         test    r12d, r12d
         jg      next_rows
+        .cfi_remember_state
         add     rsp, F_SIZE
+        .cfi_adjust_cfa_offset -F_SIZE
         pop     r15
+        .cfi_adjust_cfa_offset -8
         pop     r14
+        .cfi_adjust_cfa_offset -8
         pop     r13
+        .cfi_adjust_cfa_offset -8
         pop     r12
+        .cfi_adjust_cfa_offset -8
         pop     rbp
+        .cfi_adjust_cfa_offset -8
         pop     rbx
+        .cfi_adjust_cfa_offset -8
         ret
+        .cfi_restore_state
 
 /* One of four scanlines is longer than a segment: they are drawn at once, one after another. */
 draw_spans:
@@ -584,6 +609,7 @@ span_done:
         pcmpeqd xmm0, xmm0
         movdqa  [r13 + LAST], xmm0              /* nothing is left of them */
         jmp     group_done
+        .cfi_endproc
         .size   stage5_draw_rows, . - stage5_draw_rows
 
 /* Control-flow enforcement: indirect branches may land on this object's endbr64 only, and it keeps

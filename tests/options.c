@@ -182,7 +182,7 @@ const struct stage *stage_parse(const char *option, const char *name, struct err
     const struct stage *stage = strcmp(name, exact.name) == 0 ? &exact : stage_find(name);
 
     if (!stage) {
-#ifndef __x86_64__
+#ifndef TEXMAP_STAGE5
         if (strcmp(name, "5") == 0 || strcmp(name, "stage5_asm") == 0) {
             error_set(error, "%s %s: x86-64 assembly, left out of this build", option, name);
             return NULL;

@@ -87,7 +87,7 @@ static void print_row(const struct bench *bench, const struct bench_row *row, si
 
 static void print_ending(const struct bench *bench, const char *folder)
 {
-#ifndef __x86_64__
+#ifndef TEXMAP_STAGE5
     printf("stage5_asm        x86-64 assembly: left out of this build\n");
 #endif
     printf("\nPictures:");

@@ -8,7 +8,7 @@ const struct stage stages[] = {
     {"stage2_dda", "2", stage2_draw_triangle, 1, 1, true},
     {"stage3_fixed28_4", "3", stage3_draw_triangle, 1, 16, false},
     {"stage4_subdivide", "4", stage4_draw_triangle, 16, 16, false},
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
     {"stage5_asm", "5", stage5_draw_triangle, 16, 16, false},
 #endif
     {"segment_4", NULL, segment_4_draw_triangle, 4, 16, false},

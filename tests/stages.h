@@ -11,7 +11,7 @@ typedef void draw_triangle(struct image *frame, const struct image *texture,
 
 draw_triangle stage1_draw_triangle, stage2_draw_triangle, stage3_draw_triangle,
     stage4_draw_triangle;
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 draw_triangle stage5_draw_triangle;
 #endif
 /* Stage 4's source built with another SEGMENT_LENGTH; segment_span: one segment a span. */

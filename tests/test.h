@@ -24,9 +24,10 @@ void test_stability(void);
 /* Writes tests/golden/ anew. On failure `error` says why. */
 bool golden_renew(struct error *error);
 
-/* The rest of the group `raster`: random meshes, random triangles. */
+/* The rest of the group `raster`: random meshes, random triangles, whole-pixel vertices. */
 void test_raster_mesh(void);
 void test_raster_random(void);
+void test_raster_whole(void);
 
 /* The rest of the group `cli`: bad usage and input; slow and large input. Run in the folder that
  * cli_open made. */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include "tests/test.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define SPANS_VARIABLE "TEXMAP_SPANS"
 #define SPANS 10000000 /* about 4 s */

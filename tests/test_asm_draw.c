@@ -6,7 +6,7 @@
 #include "tests/call_checked.h"
 #include "tests/test_asm.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define stage5_draw_triangle asm_draw_draw_triangle
 #include "stage5_asm/rasterize.c"

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include "tests/test_asm.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define stage5_draw_triangle asm_edges_draw_triangle
 #include "stage5_asm/rasterize.c"

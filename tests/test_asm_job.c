@@ -4,7 +4,7 @@
 #include "tests/test_asm.h"
 #include "tests/test_gates.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define stage5_draw_triangle asm_job_draw_triangle
 #include "stage5_asm/rasterize.c"

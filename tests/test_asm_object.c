@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "tests/test_asm.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #include <elf.h>
 #include <glob.h>

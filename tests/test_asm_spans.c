@@ -4,7 +4,7 @@
 #include "common/vertex.h"
 #include "tests/test_asm.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define WIDTH_MAX 200 /* pixels of a span */
 #define ALIGNMENTS 16 /* pixels of a cache line */

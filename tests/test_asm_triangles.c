@@ -5,7 +5,7 @@
 #include "tests/test_asm.h"
 #include "tests/test_gates.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define DEPTH_RATIO_LOG2 16
 #define SUBPIXEL_ONE 16

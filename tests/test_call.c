@@ -6,7 +6,7 @@
 #include "tests/check.h"
 #include "tests/test_asm.h"
 
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
 
 #define STACK_WORDS 8
 #define DIRECTION_FLAG 0x400u

@@ -180,4 +180,5 @@ void test_raster(void)
     }
     test_raster_mesh();
     test_raster_random();
+    test_raster_whole();
 }

@@ -21,7 +21,7 @@ static const struct {
 } refused[] = {
     {"trace " SOURCE, "--stage"},
     {"trace --stage 1", "--scene"},
-#ifdef __x86_64__
+#ifdef TEXMAP_STAGE5
     {"trace --stage 5 " SOURCE, "assembly"},
 #endif
     {"trace --stage exact " SOURCE, "no stage"},

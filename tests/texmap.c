@@ -107,7 +107,7 @@ int main(int argc, char **argv)
     if (outcome == OUTCOME_FAILED) {
         print_error(&error);
     }
-#ifndef __x86_64__
+#ifndef TEXMAP_STAGE5
     else {
         fprintf(stderr, "texmap: stage 5 is x86-64 assembly: left out of this build\n");
     }
