@@ -131,5 +131,12 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_accuracy = {
     "accuracy", "--stage S|all SOURCE [--csv FILE]",
-    "Measures how far stages are from the exact answer: texels, positions, coverage, jitter.",
+    "Measures how far stages are from the exact answer. The columns, distances in texels:\n"
+    "  wrong texel %   pixels whose texel is not the exact answer's\n"
+    "  bias u, v       mean of the texel's index minus the right one's\n"
+    "  max texel       largest distance of a texel from the right one, along u or v\n"
+    "  position        how far u and v are from the exact answer's: RMS, and the largest\n"
+    "  missing, extra  pixels of a surface that a stage does not show; that it should not\n"
+    "  jitter          change of the position error as the scene moves by 1/64 pixel a frame, RMS\n"
+    "  on border %     pixels within 1e-6 texel of a border, where two texels are right",
     OPTION_STAGE | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE, run};

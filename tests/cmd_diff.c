@@ -156,9 +156,10 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_diff = {
     "diff", "--stages A,B SOURCE [--texture T] [-o FILE] [--max-pixels N]",
-    "Counts the pixels in which two stages differ: of them, those that only one drew (coverage);\n"
-    "those with different texels, and the largest distance (by the texture coord). FILE shows\n"
-    "where: pixels that agree are dimmed; blue to red, 1 to 32 texels apart or more; magenta,\n"
-    "only A drew it; white, only B.",
+    "Counts pixels: drawn by either stage (pixels); with another colour, or drawn by one alone\n"
+    "(differing); drawn by one alone (coverage); drawn by both with another texel, which may have\n"
+    "the same colour (texel). And the largest distance of two texels, by the texture coord (max).\n"
+    "FILE shows where: pixels that agree are dimmed; blue to red, 1 to 32 texels apart or more;\n"
+    "magenta, only A drew it; white, only B.",
     OPTION_STAGES | OPTIONS_SOURCE | OPTION_TEXTURE | OPTION_OUTPUT | OPTION_MAX_PIXELS,
     OPTION_STAGES, run};

@@ -53,6 +53,8 @@ grep '^stage,' "$folder/room.$before.csv" > "$folder/accuracy.header"
     --csv "$folder/bench.csv" > "$folder/table"
 [ $? -ne 2 ] || exit 2 # 1: a stage is wrong, and has no time
 
+echo "Frames are small here: each pixel spans more texels, so errors can be many times those of the"
+echo "lesson's part 8. Compare only the two columns of a scene."
 # The columns are found by their names in the two headers.
 { cat "$folder/accuracy.header" "$folder/accuracy.csv" && grep -v '^#' "$folder/bench.csv"; } |
     awk -F, -v before="$before" -v after="$after" -v scene_names="$scenes" '
