@@ -103,7 +103,7 @@ static double time_row(struct bench *bench, const struct bench_row *row)
 }
 
 /* Each round begins one row further on. A change of scene is drawn once untimed: or else its first
- * stage, always the same, would pay for the others' cold caches. False where the deadline cuts it. */
+ * stage, always the same, would pay for the others' cold caches. False where the deadline cuts. */
 static bool take_turns(struct bench *bench, int round, double deadline)
 {
     const int count = bench->row_count + 1;

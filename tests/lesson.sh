@@ -80,7 +80,8 @@ echo "lesson's part 8. Compare only the two columns of a scene."
         printf "%-15s", ""
         for (i = 1; i <= scene_count; i++) printf "%20s", scenes[i]
         printf "\n%-15s", "stage"
-        for (i = 1; i <= scene_count; i++) printf "%10s%10s", substr(before, 6, 1), substr(after, 6, 1)
+        for (i = 1; i <= scene_count; i++)
+            printf "%10s%10s", substr(before, 6, 1), substr(after, 6, 1)
         printf "\n"
         row("wrong texels, %", "wrong_texel_pct", "%.3f")
         row("bias u, texels", "bias_u", "%.3f")

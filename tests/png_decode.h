@@ -5,7 +5,7 @@
 #include "common/image.h"
 
 /* Decodes an 8-bit RGB PNG of the chunks IHDR, IDAT, IEND, whose data are stored or in the fixed
- * code and whose rows have no filter; alpha becomes 255. All lengths and checksums must be right and
+ * code and whose rows have no filter; alpha becomes 255. Lengths and checksums must be right and
  * no byte left over. Otherwise false, `error` says what is wrong, and `image` is untouched. */
 bool png_decode(const unsigned char *bytes, size_t size, struct image *image, struct error *error);
 

@@ -1,4 +1,4 @@
-/* Whole-pixel vertices: every stage's grid holds them, so every stage must draw the exact pixels. */
+/* Whole-pixel vertices: every stage's grid holds them, so every stage draws the exact pixels. */
 #include <string.h>
 #include "tests/check.h"
 #include "tests/exact.h"
