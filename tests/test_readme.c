@@ -70,8 +70,8 @@ static void test_renew(void)
     static const char *const bad[] = {
         "<!-- begin results -->\n", "<!-- begin nothing -->\n<!-- end nothing -->\n",
         "<!-- end results -->\n", "<!-- begin run ls -->\n<!-- end run -->\n",
-        "<!-- begin results -->\n<!-- begin diff a b -->\n<!-- end diff -->\n"
-        "<!-- end results -->\n",
+        ("<!-- begin results -->\n<!-- begin diff a b -->\n<!-- end diff -->\n"
+         "<!-- end results -->\n"),
     };
     struct error error;
 
