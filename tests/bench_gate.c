@@ -8,6 +8,8 @@
 
 #define ALPHA 0xFF000000u
 #define FLOAT_ERROR 0.25 /* texel RMS; the stages' floats cost 0.03 on any frame up to 4096x4096 */
+#define HELD_ERROR 0.25  /* likewise: the coda's texels are held to a triangle's own, although a
+                            pixel may lie 1/32 pixel beyond it: it shows where both are as small */
 #define PIXELS_FOR_BIAS 1000 /* the mean of fewer pixels' roundings is up to chance */
 #define DRIFT_SHARE 4 /* one pixel in so many of the frame's width and height may drift away */
 
@@ -124,7 +126,8 @@ static double rms_bound(const struct gate *gate)
 static bool texels_hold(const struct gate *gate, const struct stage *stage,
                         const struct accuracy *own, double position_rms, struct error *why)
 {
-    const double bound = rms_bound(gate);
+    const bool held = strcmp(stage->name, "coda") == 0;
+    const double bound = rms_bound(gate) + (held ? HELD_ERROR : 0);
     const double rms = fmin(own->position_rms, position_rms);
     const double bias = fmax(fabs(own->bias_u), fabs(own->bias_v));
     const double bias_bound = bound + (stage->truncates ? 0.5 : 0);

@@ -188,6 +188,10 @@ const struct stage *stage_parse(const char *option, const char *name, struct err
             return NULL;
         }
 #endif
+        if (strcmp(name, "coda") == 0) {
+            error_set(error, "%s %s: " CODA_MISSING, option, name);
+            return NULL;
+        }
         error_set(error, "%s %s: no such stage", option, name);
     }
     return stage;

@@ -20,6 +20,7 @@ static const struct group groups[] = {
     {"exact", test_exact},
     {"gates", test_gates},
     {"asm", test_asm},
+    {"coda", test_coda},
     {"golden", test_golden},
     {"limits", test_limits},
     {"stability", test_stability},

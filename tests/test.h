@@ -13,6 +13,7 @@ void test_cli(void);
 void test_exact(void);
 void test_gates(void);
 void test_asm(void);
+void test_coda(void);
 void test_bench(void);
 void test_readme(void);
 void test_trace(void);

@@ -11,16 +11,19 @@
 #define NAME_LENGTH 160
 
 /* After a run that went well: nothing on standard error, but for the one line where there is no
- * stage 5. */
+ * stage 5, or no coda. */
 static bool is_quiet(void)
 {
     size_t size = 0;
     char *text = cli_read(CLI_STDERR, &size);
 #ifdef TEXMAP_STAGE5
-    const bool quiet = text && size == 0;
+    const char *missing = coda_available() ? NULL : "the coda";
 #else
-    const bool quiet = text && strchr(text, '\n') == text + size - 1 && strstr(text, "stage 5");
+    const char *missing = "stage 5";
 #endif
+    const bool quiet =
+        text && (missing ? strchr(text, '\n') == text + size - 1 && strstr(text, missing) != NULL
+                         : size == 0);
     free(text);
     return quiet;
 }

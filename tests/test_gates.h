@@ -15,7 +15,7 @@ typedef bool gate_function(const struct stage *stage, char text[GATE_TEXT]);
 
 struct gate {
     const char *name;   /* what holds */
-    const char *stages; /* the digits of those that promise it; s: other segment lengths */
+    const char *stages; /* the digits of those that promise it; s: other segment lengths; c: coda */
     gate_function *holds;
 };
 

@@ -139,8 +139,9 @@ bool golden_renew(struct error *error)
     static struct goldens goldens;
     char key[LINE_LENGTH];
 
-    if (!stage_find("5")) {
-        return error_set(error, "%s: stage 5's lines can be renewed on x86-64 only", GOLDEN_FILE);
+    if (!stage_find("5") || !stage_find("coda")) {
+        return error_set(error, "%s: only where stage 5 and the coda run can their lines be renewed",
+                         GOLDEN_FILE);
     }
     FILE *file = goldens_make(&goldens, error) ? file_create(GOLDEN_FILE, error) : NULL;
     if (!file) {
@@ -201,6 +202,9 @@ void test_golden(void)
     if (!check(file != NULL, "golden: there are digests to compare with",
                "%s cannot be read from this folder", GOLDEN_FILE)) {
         return;
+    }
+    if (!stage_find("coda")) {
+        check_skip("golden: coda", CODA_MISSING);
     }
     if (!stage_find("5")) {
         check_skip("golden: stage5_asm", "stage 5 is for x86-64 only");

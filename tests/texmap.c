@@ -111,6 +111,10 @@ int main(int argc, char **argv)
     else {
         fprintf(stderr, "texmap: stage 5 is x86-64 assembly: left out of this build\n");
     }
+#else
+    else if (!coda_available()) {
+        fprintf(stderr, "texmap: " CODA_MISSING "\n");
+    }
 #endif
     return outcome;
 }
