@@ -140,7 +140,7 @@ bool golden_renew(struct error *error)
     char key[LINE_LENGTH];
 
     if (!stage_find("5") || !stage_find("coda")) {
-        return error_set(error, "%s: only where stage 5 and the coda run can their lines be renewed",
+        return error_set(error, "%s: can be renewed only where stage 5 and the coda run",
                          GOLDEN_FILE);
     }
     FILE *file = goldens_make(&goldens, error) ? file_create(GOLDEN_FILE, error) : NULL;
