@@ -26,6 +26,7 @@ static const struct group groups[] = {
     {"stability", test_stability},
     {"trace", test_trace},
     {"bench", test_bench},
+    {"chart", test_chart},
     {"report", test_report},
     {"readme", test_readme},
 };

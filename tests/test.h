@@ -15,6 +15,7 @@ void test_gates(void);
 void test_asm(void);
 void test_coda(void);
 void test_bench(void);
+void test_chart(void);
 void test_readme(void);
 void test_trace(void);
 void test_report(void);
