@@ -158,12 +158,14 @@ char *readme_renew(const char *path, const char *text, struct error *error)
     return renewed;
 }
 
-/* A command's output is the same on every machine: the stages draw the same bits. */
+/* A command's output is the same on every machine: the stages draw the same bits. Not so standard
+ * error, where it says what is left out. */
 bool readme_run(FILE *out, const char *command, struct error *error)
 {
     const char *program = getenv(PROGRAM_VARIABLE), *word = "texmap ";
     char line[LINE_LENGTH + 64];
-    const int length = snprintf(line, sizeof line, "%s %s 2>&1", program ? program : "build/texmap",
+    const int length = snprintf(line, sizeof line, "%s %s 2> /dev/null",
+                                program ? program : "build/texmap",
                                 command + strcspn(command, " "));
 
     if (strncmp(command, word, strlen(word)) != 0 || length >= (int)sizeof line) {
