@@ -177,8 +177,14 @@ bool readme_run(FILE *out, const char *command, struct error *error)
     if (!pipe) {
         return error_set(error, "%s: %s", command, strerror(errno));
     }
+    int blanks = 0; /* that wait for what follows them: at a line's end they are left out */
     for (int c = getc(pipe); c != EOF; c = getc(pipe)) {
-        putc(c, out);
+        if (c == ' ') {
+            blanks++;
+            continue;
+        }
+        fprintf(out, "%*s%c", c == '\n' ? 0 : blanks, "", c);
+        blanks = 0;
     }
     const int status = pclose(pipe);
     fprintf(out, "```\n");
