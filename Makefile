@@ -20,22 +20,23 @@ endif
 SEGMENTS = 4 8 32 64 span
 TRACED = 1 2 3 4
 
-# tests/ holds programs of their own, what only the tests use, and what texmap is made of.
-MAINS = $(patsubst tests/%_main.c,%,$(wildcard tests/*_main.c))
-PROGRAMS = texmap test $(MAINS:%=%_main)
-TEST_SOURCES = $(wildcard tests/test*.c tests/fuzz_*.c tests/check.c tests/cli.c tests/padded.c \
-	tests/png_decode.c tests/coda_twin.c tests/promises*.c)
-HARNESS_SOURCES = $(filter-out $(TEST_SOURCES) $(PROGRAMS:%=tests/%.c),$(wildcard tests/*.c))
+# Programs of their own, by their main file; the folders that texmap is made of; what only the tests use.
+MAINS = $(wildcard tests/*/*_main.c)
+PROGRAM_OF = $(BUILD)/$(patsubst %_main.c,%,$(notdir $(1)))
+SHARED_SOURCES = $(filter-out $(MAINS) tests/program/texmap.c, \
+	$(foreach f,program exact files bench chart trace page stability lessons,$(wildcard tests/$(f)/*.c)))
+TEST_SOURCES = $(filter-out $(MAINS),$(wildcard tests/unit/*.c tests/asm/*.c tests/judge/*.c))
+
+PROMISES = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/judge/*.c) tests/unit/check.c)
 
 STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
 	$(if $(filter span_exact_avx2,$(ASM)),$(BUILD)/stage5_asm/coda.o) \
 	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o)
 # The page of `texmap report`: its files, as one C file.
-PAGE_FILES = $(sort $(wildcard tests/report/*.html tests/report/*.css tests/report/*.js))
-SHARED = $(BUILD)/tests/report_page.o $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(HARNESS_SOURCES)) $(STAGE_OBJECTS)
-TEST_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,\
-	$(filter-out tests/test.c tests/texmap.c tests/fuzz_%,$(TEST_SOURCES))) \
-	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/*.S)))
+PAGE_FILES = $(sort $(wildcard tests/page/*.html tests/page/*.css tests/page/*.js))
+SHARED = $(BUILD)/page.o $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(SHARED_SOURCES)) $(STAGE_OBJECTS)
+TEST_OBJECTS = $(TEST_SOURCES:%.c=$(BUILD)/%.o) \
+	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/asm/*.S)))
 
 .PHONY: all test test-mistakes test-trace golden bench chart lesson clean help FORCE
 
@@ -47,11 +48,11 @@ test: $(BUILD)/texmap $(BUILD)/test test-mistakes test-trace
 	@$(BUILD)/test
 
 test-mistakes: $(SHARED) $(TEST_OBJECTS) $(BUILD)/tests/mistakes/main.o
-	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/mistakes.sh $(BUILD) \
+	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/mistakes/mistakes.sh $(BUILD) \
 		$(BUILD)/tests/mistakes/main.o $(SHARED) $(TEST_OBJECTS)
 
 test-trace:
-	@CC='$(CC)' CFLAGS='$(CFLAGS) -std=c11 -ffp-contract=off -I.' sh tests/trace_vanishes.sh
+	@CC='$(CC)' CFLAGS='$(CFLAGS) -std=c11 -ffp-contract=off -I.' sh tests/trace/vanishes.sh
 
 golden: $(BUILD)/test
 	$(BUILD)/test --golden
@@ -63,15 +64,24 @@ chart: bench
 	$(BUILD)/texmap chart $(BUILD)/bench.csv -o $(BUILD)/chart.svg
 
 lesson: $(BUILD)/texmap
-	@sh tests/lesson.sh $(BUILD) '$(N)'
+	@sh tests/lessons/lesson.sh $(BUILD) '$(N)'
 
-$(BUILD)/texmap: $(BUILD)/tests/texmap.o $(SHARED)
+$(BUILD)/texmap: $(BUILD)/tests/program/texmap.o $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-$(patsubst %,$(BUILD)/%,$(filter-out golden,$(MAINS))): $(BUILD)/%: $(BUILD)/tests/%_main.o $(SHARED)
+$(BUILD)/room: $(BUILD)/tests/program/room_main.o $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
-$(BUILD)/test: $(BUILD)/tests/test.o $(TEST_OBJECTS) $(SHARED)
+$(BUILD)/stability: $(BUILD)/tests/stability/stability_main.o $(SHARED)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/readme: $(BUILD)/tests/lessons/readme_main.o $(SHARED)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/torture: $(BUILD)/tests/long/torture_main.o $(PROMISES) $(SHARED)
+	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/test: $(BUILD)/tests/unit/test_main.o $(TEST_OBJECTS) $(SHARED)
 	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
@@ -94,21 +104,18 @@ $(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o): $(BUILD)/stage4_subdivide/s
 $(TRACED:%=$(BUILD)/trace/stage%.o): $(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) \
 		$(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace_hooks.h"' -DTRACE_STAGE=$* \
+	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$* \
 		-Dstage$*_draw_triangle=trace$*_draw_triangle -c -o $@ $<
 
-PROMISES = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/promises*.c) tests/check.c)
-$(BUILD)/torture: $(PROMISES)
-
-$(BUILD)/tests/report_page.c: tests/report/embed.sh $(PAGE_FILES)
+$(BUILD)/page.c: tests/page/embed.sh $(PAGE_FILES)
 	@mkdir -p $(@D)
 	sh $^ > $@.new && mv $@.new $@
 
-$(BUILD)/tests/report_page.o: $(BUILD)/tests/report_page.c $(BUILD)/flags
+$(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags
 	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
 
 # What `texmap bench` says it was built with.
-$(BUILD)/tests/bench_machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
+$(BUILD)/tests/bench/machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
 
 # Changes when the compiler or its flags do, so that nothing built with others is kept.
 $(BUILD)/flags: FORCE
@@ -119,7 +126,7 @@ clean:
 	rm -rf $(BUILD)
 
 help:
-	@sed -n 's/^#: //p' Makefile tests/optional.mk
+	@sed -n 's/^#: //p' Makefile tests/long/optional.mk
 
 #: make               build, then the main job: the room through all five stages
 #: make test          every test; ends with `N passed, N failed`
@@ -130,5 +137,5 @@ help:
 #: make build/texmap  the program alone; build/texmap help says what it can do
 #: make clean         removes build/
 
-include tests/optional.mk
--include $(patsubst %.o,%.d,$(SHARED) $(TEST_OBJECTS) $(PROGRAMS:%=$(BUILD)/tests/%.o))
+include tests/long/optional.mk
+-include $(patsubst %.o,%.d,$(SHARED) $(TEST_OBJECTS) $(MAINS:%.c=$(BUILD)/%.o) $(BUILD)/tests/program/texmap.o)

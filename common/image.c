@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-#include "common/file.h"
+#include "tests/files/file.h"
 #include "common/vertex.h"
 
 typedef bool encoder(const struct image *image, unsigned char **bytes, size_t *size);

@@ -1,12 +1,12 @@
-/* Run by tests/mistakes.sh: mistake STAGE puts that stage, as this program was linked with it,
+/* Run by tests/mistakes/mistakes.sh: mistake STAGE puts that stage, as this program was linked with it,
  * through its gates, and stage 5 first through what its assembly must hold. Prints which of them
  * fail. Exit status 0 when none does, 1 when one does, 2 for bad usage. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "tests/test.h"
-#include "tests/test_asm.h"
-#include "tests/test_gates.h"
+#include "tests/unit/test.h"
+#include "tests/asm/asm.h"
+#include "tests/unit/gates.h"
 
 #define ASM_SPANS 50000
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # test.sh BUILD: opens the page of `texmap report` in headless Chromium, lets it test itself
-# (tests/report/selftest.js) at two widths, and holds what it showed against what the program says:
+# (tests/page/selftest.js) at two widths, and holds what it showed against what the program says:
 # trace, accuracy, render, and the stability table. CHROMIUM names another browser of its kind.
 set -u
 

@@ -1,0 +1,120 @@
+/* The C half of call_checked(), and the test of it: routines broken on purpose. */
+#include "tests/asm/call_checked.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "tests/unit/check.h"
+#include "tests/asm/asm.h"
+
+#ifdef TEXMAP_STAGE5
+
+#define STACK_WORDS 8
+#define DIRECTION_FLAG 0x400u
+#define MXCSR_STATUS 0x3Fu /* the bits that any instruction may set */
+
+/* What FXSAVE writes, as far as it is looked at. */
+struct fxsave {
+    uint16_t x87_control, x87_status;
+    uint8_t x87_tags, unused[19];
+    uint32_t mxcsr, mxcsr_mask;
+    uint8_t x87_registers[8 * 16]; /* and MMX's */
+    uint8_t others[352];
+};
+
+struct call_state {
+    uint64_t general[6];
+    uint64_t rsp, flags;
+    uint64_t stack[STACK_WORDS]; /* above the return address */
+    struct fxsave fxsave;
+};
+
+struct call {
+    void (*function)(void);
+    uint64_t arguments[CALL_ARGUMENTS];
+    uint64_t unused; /* FXSAVE's place must be a multiple of 16 */
+    struct call_state before, after;
+};
+
+/* In call_checked.S. */
+void call_recorded(struct call *call);
+_Static_assert(offsetof(struct call, arguments) == 8, "C_ARGUMENTS in call_checked.S");
+_Static_assert(offsetof(struct call, before) == 64, "C_BEFORE in call_checked.S");
+_Static_assert(offsetof(struct call, after) == 704, "C_AFTER in call_checked.S");
+_Static_assert(offsetof(struct call_state, rsp) == 48, "S_RSP in call_checked.S");
+_Static_assert(offsetof(struct call_state, flags) == 56, "S_FLAGS in call_checked.S");
+_Static_assert(offsetof(struct call_state, stack) == 64, "S_STACK in call_checked.S");
+_Static_assert(offsetof(struct call_state, fxsave) == 128, "S_FXSAVE in call_checked.S");
+_Static_assert(offsetof(struct fxsave, mxcsr) == 24, "FXSAVE_MXCSR in call_checked.S");
+_Static_assert(sizeof(struct fxsave) == 512, "as the processor has it");
+
+/* Adds the name of a part that changed; `equal` where it did not. */
+static bool kept(bool equal, const char *name, char *text, size_t size)
+{
+    const size_t length = strlen(text);
+
+    if (!equal) {
+        snprintf(text + length, size - length, "%s%s", length > 0 ? " " : "", name);
+    }
+    return equal;
+}
+
+bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS], char *text,
+                  size_t size)
+{
+    static const char *const general[] = {"rbx", "rbp", "r12", "r13", "r14", "r15"};
+    static _Alignas(16) struct call call;
+    const struct call_state *a = &call.before, *b = &call.after;
+    const struct fxsave *fa = &a->fxsave, *fb = &b->fxsave;
+    bool all = true;
+
+    text[0] = '\0';
+    call.function = function;
+    memcpy(call.arguments, arguments, sizeof call.arguments);
+    call_recorded(&call);
+    for (int i = 0; i < 6; i++) {
+        all &= kept(a->general[i] == b->general[i], general[i], text, size);
+    }
+    all &= kept(a->rsp == b->rsp, "rsp", text, size);
+    /* Below a stack pointer that is too high nothing need be left. */
+    all &= kept(a->rsp != b->rsp || memcmp(a->stack, b->stack, sizeof a->stack) == 0, "stack", text,
+                size);
+    all &= kept(!(b->flags & DIRECTION_FLAG), "direction", text, size);
+    all &= kept(((fa->mxcsr ^ fb->mxcsr) & ~MXCSR_STATUS) == 0, "mxcsr", text, size);
+    all &= kept(fa->x87_control == fb->x87_control, "x87_control", text, size);
+    all &= kept(fa->x87_tags == fb->x87_tags, "x87_tags", text, size);
+    all &= kept(memcmp(fa->x87_registers, fb->x87_registers, sizeof fa->x87_registers) == 0, "mmx",
+                text, size);
+    return all;
+}
+
+/* In call_broken.S. */
+void break_rbx(void), break_rbp(void), break_r12(void), break_r13(void), break_r14(void),
+    break_r15(void), break_rsp(void), break_stack(void), break_direction(void), break_mxcsr(void),
+    break_x87_control(void), break_x87_tags(void), break_mmx(void), break_nothing(void);
+
+void test_call(void)
+{
+    static const struct {
+        void (*function)(void);
+        const char *expected; /* the part of it that must be named, and the only one */
+    } broken[] = {
+        {break_rbx, "rbx"},         {break_rbp, "rbp"},
+        {break_r12, "r12"},         {break_r13, "r13"},
+        {break_r14, "r14"},         {break_r15, "r15"},
+        {break_rsp, "rsp"},         {break_stack, "stack"},
+        {break_direction, "direction"}, {break_mxcsr, "mxcsr"},
+        {break_x87_control, "x87_control"}, {break_x87_tags, "x87_tags"},
+        {break_mmx, "mmx"},         {break_nothing, ""},
+    };
+    const uint64_t arguments[CALL_ARGUMENTS] = {0};
+
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        char name[ASM_NAME], text[ASM_TEXT];
+        call_checked(broken[i].function, arguments, text, sizeof text);
+        snprintf(name, sizeof name, "a routine that breaks %s is found out",
+                 *broken[i].expected ? broken[i].expected : "nothing");
+        check(strcmp(text, broken[i].expected) == 0, name, "named: \"%s\"", text);
+    }
+}
+
+#endif

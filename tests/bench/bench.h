@@ -1,0 +1,81 @@
+/* How long stages take to draw scenes, beside how far they are from the exact answer.
+ * Timed are the draw calls of one frame's triangles, nothing else. Stages take turns in each round,
+ * a memset of the frame among them, so that whatever else the machine does hits all alike: ratios
+ * within one run are the result, times are not. */
+#ifndef TESTS_BENCH_H
+#define TESTS_BENCH_H
+
+#include <stdio.h>
+#include "tests/exact/accuracy.h"
+
+#define BENCH_STAGES_MAX 20
+#define BENCH_ROUNDS_MAX 500 /* the minimum hardly falls after that */
+
+struct bench_choice {
+    const struct stage *stages[BENCH_STAGES_MAX];
+    int stage_count;
+    const char *scene; /* NULL: all of them */
+    struct size size;
+};
+
+/* One stage on one scene. */
+struct bench_row {
+    const struct stage *stage;   /* NULL: memset of the frame */
+    const struct source *source; /* NULL with it */
+    struct accuracy accuracy;    /* against the vertices as given; without jitter */
+    size_t pixels;               /* the stage writes, those included that it paints over later */
+    bool wrong;                  /* it failed its gate: `why`; it is not timed then */
+    struct error why;
+    double *ns;                /* of each round */
+    double ns_min, ns_median; /* for one frame, over the rounds; NAN where not timed */
+};
+
+struct bench {
+    struct size size;
+    struct source sources[SCENE_COUNT];
+    int source_count;
+    struct image frame;
+    struct bench_row *rows; /* scene after scene, stage after stage; rows[row_count]: memset */
+    int row_count;
+    double *samples; /* what the rows' `ns` point into */
+    int rounds;
+};
+
+/* Called now and then with what is being done, and how much of it is, 0 to 1. */
+typedef void bench_progress(const char *doing, double share);
+
+/* Builds the scenes. On failure, no memory or no such scene, there is nothing to close. */
+bool bench_open(struct bench *bench, const struct bench_choice *choice, struct error *error);
+
+/* Measures accuracy and holds each row's frame to its gate (tests/bench/gate.h).
+ * False when there is no memory. `progress` may be NULL, here and below. */
+bool bench_judge(struct bench *bench, bench_progress *progress, struct error *error);
+
+/* Runs rounds until bench_clock() reaches the deadline, at least one and at most
+ * BENCH_ROUNDS_MAX, after one that only warms up. A round that the deadline cuts does not count. */
+void bench_time(struct bench *bench, double deadline, bench_progress *progress);
+
+/* Did every row pass its gate? */
+bool bench_all_right(const struct bench *bench);
+
+/* The row of that stage on the same scene as `row`; NULL where there is none. */
+const struct bench_row *bench_find(const struct bench *bench, const struct bench_row *row,
+                                   const char *stage_digit);
+
+/* A row's time by what it drew, in ns; NAN where it was not timed or drew nothing. For memset it is
+ * the frame's pixels that count. */
+double bench_ns_per_pixel(const struct bench_row *row, double ns);
+double bench_ns_per_triangle(const struct bench_row *row, double ns);
+
+/* Prints the rows as CSV, comments with the machine on top. */
+void bench_print_csv(FILE *file, const struct bench *bench);
+
+/* The same into a file. On failure no file is left behind. */
+bool bench_write_csv(const char *path, const struct bench *bench, struct error *error);
+
+void bench_close(struct bench *bench);
+
+/* Seconds since some moment; never set back. */
+double bench_clock(void);
+
+#endif

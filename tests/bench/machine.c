@@ -1,0 +1,84 @@
+#define _GNU_SOURCE /* sched_setaffinity */
+#include "tests/bench/machine.h"
+
+#include <stdbool.h>
+#include <string.h>
+#include <sys/utsname.h>
+#include <time.h>
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#ifndef TEXMAP_FLAGS
+#define TEXMAP_FLAGS "unknown"
+#endif
+
+#if defined __clang__
+#define COMPILER __VERSION__
+#elif defined __GNUC__
+#define COMPILER "gcc " __VERSION__
+#else
+#define COMPILER "unknown"
+#endif
+
+#define LINE_LENGTH 512
+
+static int pinned_cpu = -1; /* not pinned */
+
+void machine_pin(void)
+{
+#ifdef __linux__
+    const int cpu = sched_getcpu();
+    cpu_set_t set;
+
+    if (cpu >= 0 && cpu < CPU_SETSIZE) {
+        CPU_ZERO(&set);
+        CPU_SET(cpu, &set);
+        pinned_cpu = sched_setaffinity(0, sizeof set, &set) == 0 ? cpu : -1;
+    }
+#endif
+}
+
+/* The value of the first line "model name : VALUE", as x86 systems have it. */
+static void print_cpu(FILE *file)
+{
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    char line[LINE_LENGTH];
+    struct utsname system;
+    bool found = false;
+
+    while (info && !found && fgets(line, sizeof line, info)) {
+        const char *colon = strchr(line, ':');
+        if (colon && strncmp(line, "model name", strlen("model name")) == 0) {
+            colon += 1 + strspn(colon + 1, " ");
+            fprintf(file, "%.*s, ", (int)strcspn(colon, "\n"), colon);
+            found = true;
+        }
+    }
+    if (info) {
+        fclose(info);
+    }
+    fprintf(file, "%s%s\n", found ? "" : "unknown CPU, ",
+            uname(&system) == 0 ? system.machine : "unknown machine");
+}
+
+void machine_print(FILE *file, const char *prefix)
+{
+    const time_t now = time(NULL);
+    char date[LINE_LENGTH] = "unknown";
+    const struct tm *utc = gmtime(&now);
+
+    if (utc) {
+        strftime(date, sizeof date, "%Y-%m-%d", utc);
+    }
+    fprintf(file, "%smachine: ", prefix);
+    print_cpu(file);
+    fprintf(file, "%scompiler: %s\n", prefix, COMPILER);
+    fprintf(file, "%sflags: %s\n", prefix, TEXMAP_FLAGS);
+    fprintf(file, "%sdate: %s\n", prefix, date);
+    if (pinned_cpu >= 0) {
+        fprintf(file, "%spinned: to CPU %d\n", prefix, pinned_cpu);
+    } else {
+        fprintf(file, "%spinned: no, the system may move it from CPU to CPU\n", prefix);
+    }
+}

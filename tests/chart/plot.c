@@ -1,0 +1,178 @@
+#include "tests/chart/plot.h"
+
+#include <math.h>
+
+#define TICK_SIZE 11.0   /* pixels */
+#define TEXT_DROP 0.36   /* of a text's size: from a figure's middle down to its baseline */
+#define TICK_ROOM 14.0   /* pixels that one number needs along an upright axis */
+#define TICK_WIDE 30.0   /* and along a level one */
+#define LEADER_LEAST 6.0 /* pixels between a mark and its label that need no line */
+
+double axis_at(const struct axis *axis, double value)
+{
+    double along;
+    if (!axis->log) {
+        along = (value - axis->low) / (axis->high - axis->low);
+    } else if (value < axis->low) {
+        double direction = axis->to > axis->from ? 1 : -1;
+        return axis->from - direction * axis->band / 2;
+    } else {
+        along = (log(value) - log(axis->low)) / (log(axis->high) - log(axis->low));
+    }
+    return axis->from + (axis->to - axis->from) * along;
+}
+
+static size_t add_tick(const struct axis *axis, double value, bool labelled,
+                       struct tick ticks[TICKS_MAX], size_t count)
+{
+    double slack = 1e-9; /* low and high themselves count, whatever their last bit */
+    if (count == TICKS_MAX || value < axis->low - slack * fabs(axis->low) ||
+        value > axis->high + slack * fabs(axis->high)) {
+        return count;
+    }
+    ticks[count].value = value;
+    ticks[count].label[0] = '\0';
+    if (labelled) {
+        snprintf(ticks[count].label, sizeof ticks[count].label, "%.10g", value);
+    }
+    return count + 1;
+}
+
+static size_t log_ticks(const struct axis *axis, double room, struct tick ticks[TICKS_MAX])
+{
+    size_t count = 0;
+    double decade = fabs(axis->to - axis->from) / (log10(axis->high) - log10(axis->low));
+    bool all = decade * log10(2) >= room; /* the gaps are log 2, log 2.5 and log 2 */
+    int skip = (int)fmin(ceil(room / decade), 100);
+    for (int p = (int)floor(log10(axis->low)); p <= (int)ceil(log10(axis->high)); p++) {
+        double power = pow(10, p);
+        count = add_tick(axis, power, p % skip == 0, ticks, count);
+        if (all) {
+            count = add_tick(axis, 2 * power, true, ticks, count);
+            count = add_tick(axis, 5 * power, true, ticks, count);
+        }
+    }
+    return count;
+}
+
+static size_t linear_ticks(const struct axis *axis, double room, struct tick ticks[TICKS_MAX])
+{
+    double length = fabs(axis->to - axis->from);
+    double least = (axis->high - axis->low) * fmin(1, room / length);
+    double power = pow(10, floor(log10(least)));
+    double step = least <= power ? power
+                  : least <= 2 * power ? 2 * power
+                  : least <= 5 * power ? 5 * power
+                                       : 10 * power;
+    size_t count = 0;
+    for (double i = ceil(axis->low / step); i * step <= axis->high && count < TICKS_MAX; i++) {
+        count = add_tick(axis, i * step, true, ticks, count);
+    }
+    return count;
+}
+
+size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX])
+{
+    bool level = axis->to > axis->from; /* an upright axis runs up: to smaller pixels */
+    double room = level ? TICK_WIDE : TICK_ROOM;
+    return axis->log ? log_ticks(axis, room, ticks) : linear_ticks(axis, room, ticks);
+}
+
+static void draw_x_ticks(const struct panel *panel, struct box box, bool x_labels)
+{
+    struct tick ticks[TICKS_MAX];
+    size_t count = axis_ticks(&panel->x, ticks);
+    for (size_t i = 0; i < count; i++) {
+        double x = axis_at(&panel->x, ticks[i].value);
+        svg_line(panel->out, (struct point){x, box.y0}, (struct point){x, box.y1}, "grid");
+        if (x_labels && ticks[i].label[0] != '\0') {
+            svg_text(panel->out, (struct point){x, box.y1 + TICK_SIZE + 4},
+                     &(struct text_style){TICK_SIZE, "middle", "soft"}, ticks[i].label);
+        }
+    }
+}
+
+static void draw_y_label(const struct panel *panel, double y, const char *label)
+{
+    svg_text(panel->out, (struct point){panel->x.from - 5, y + TICK_SIZE * TEXT_DROP},
+             &(struct text_style){TICK_SIZE, "end", "soft"}, label);
+}
+
+static void draw_y_ticks(const struct panel *panel, struct box box)
+{
+    struct tick ticks[TICKS_MAX];
+    size_t count = axis_ticks(&panel->y, ticks);
+    double rule = panel->rule_label != NULL ? axis_at(&panel->y, panel->rule) : INFINITY;
+    double band = panel->band_label != NULL ? panel->y.from + panel->y.band / 2 : INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        double y = axis_at(&panel->y, ticks[i].value);
+        svg_line(panel->out, (struct point){box.x0, y}, (struct point){box.x1, y}, "grid");
+        bool crowded = fabs(rule - y) < TICK_ROOM || fabs(band - y) < TICK_ROOM;
+        if (ticks[i].label[0] != '\0' && !crowded) {
+            draw_y_label(panel, y, ticks[i].label);
+        }
+    }
+    if (panel->rule_label != NULL) {
+        svg_line(panel->out, (struct point){box.x0, rule}, (struct point){box.x1, rule}, "rule");
+        draw_y_label(panel, rule, panel->rule_label);
+    }
+    if (panel->band_label != NULL) {
+        draw_y_label(panel, band, panel->band_label);
+    }
+}
+
+void panel_begin(struct panel *panel, bool x_labels)
+{
+    struct box box = {panel->x.from, panel->y.to, panel->x.to, panel->y.from + panel->y.band};
+    double shaded = panel->rule_label != NULL ? axis_at(&panel->y, panel->rule) : panel->y.from;
+    panel->labels = (struct labels){.area = box};
+    if (shaded < box.y1) {
+        svg_rect(panel->out, (struct box){box.x0, shaded, box.x1, box.y1}, "band");
+    }
+    draw_x_ticks(panel, box, x_labels);
+    draw_y_ticks(panel, box);
+    svg_rect(panel->out, box, "frame");
+}
+
+struct point panel_at(const struct panel *panel, double x, double y)
+{
+    return (struct point){axis_at(&panel->x, x), axis_at(&panel->y, y)};
+}
+
+void panel_polyline(struct panel *panel, const struct point *points, size_t count,
+                    const char *class)
+{
+    svg_polyline(panel->out, points, count, class);
+    for (size_t i = 1; i < count; i++) {
+        labels_line(&panel->labels, points[i - 1], points[i]);
+    }
+}
+
+void panel_mark(struct panel *panel, struct point at, int series, bool filled,
+                const char *tooltip)
+{
+    svg_mark(panel->out, at, series, filled, tooltip);
+    double r = filled ? SVG_MARK_RADIUS : SVG_HOLLOW_RADIUS;
+    labels_take(&panel->labels, (struct box){at.x - r, at.y - r, at.x + r, at.y + r});
+}
+
+bool panel_label(struct panel *panel, struct point at, double radius,
+                 const struct text_style *style, bool optional, const char *text)
+{
+    double width = svg_text_width(text, style), height = style->size;
+    struct box box;
+    if (!labels_place(&panel->labels, at, radius, width, height, optional, &box)) {
+        return false;
+    }
+    struct point middle = {(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
+    struct point near = {fmin(fmax(at.x, box.x0), box.x1), fmin(fmax(at.y, box.y0), box.y1)};
+    double distance = hypot(near.x - at.x, near.y - at.y);
+    if (distance > radius + LEADER_LEAST) {
+        double part = radius / distance;
+        struct point edge = {at.x + (near.x - at.x) * part, at.y + (near.y - at.y) * part};
+        svg_line(panel->out, edge, near, "leader");
+    }
+    double baseline = middle.y + style->size * TEXT_DROP;
+    svg_text(panel->out, (struct point){middle.x, baseline}, style, text);
+    return true;
+}

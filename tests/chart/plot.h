@@ -1,0 +1,60 @@
+/* One panel of a chart: axes, grid, lines, marks and labels, written as SVG. */
+#ifndef TESTS_PLOT_H
+#define TESTS_PLOT_H
+
+#include "tests/chart/labels.h"
+
+/* Maps values to pixels along x or y.
+ *   linear: from + (to - from) (value - low) / (high - low)
+ *   log:    from + (to - from) (log value - log low) / (log high - log low)
+ * What a log axis cannot show, 0 and all below `low`, stands in the middle of a band of `band`
+ * pixels before `from`. */
+struct axis {
+    bool log;
+    double low, high; /* low < high, and 0 < low where log */
+    double from, to;  /* pixels: where low and high stand */
+    double band;      /* pixels, 0 for none; always 0 where linear */
+};
+
+double axis_at(const struct axis *axis, double value);
+
+struct tick {
+    double value;
+    char label[24]; /* "" for a grid line without a number */
+};
+
+#define TICKS_MAX 64
+
+/* Round numbers between low and high: 1, 2 or 5 times a power of ten apart when linear; when log
+ * the powers of ten, and 2 and 5 times them where there is room. */
+size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX]);
+
+struct panel {
+    FILE *out;
+    struct axis x, y;
+    double rule; /* a y that a line marks and below which the panel is shaded; 0 for none */
+    const char *rule_label, *band_label; /* stand among y's numbers; NULL for none */
+    struct labels labels;
+};
+
+/* Draws background, grid and tick labels, those of x only if `x_labels`, and makes ready for
+ * labels. All but `labels` must be set. */
+void panel_begin(struct panel *panel, bool x_labels);
+
+/* Where a pair of values stands. */
+struct point panel_at(const struct panel *panel, double x, double y);
+
+/* Draws what is there, and keeps labels off it. Points are pixels. */
+void panel_polyline(struct panel *panel, const struct point *points, size_t count,
+                    const char *class);
+void panel_mark(struct panel *panel, struct point at, int series, bool filled,
+                const char *tooltip);
+
+/* Writes a label beside a mark, once all that it must not cover is drawn, with a thin line to the
+ * mark when it stands apart. A label with no free place is left out: false. An `optional` one is
+ * left out too where it would need that line or cross another. `style` is anchored in the
+ * middle. */
+bool panel_label(struct panel *panel, struct point at, double radius,
+                 const struct text_style *style, bool optional, const char *text);
+
+#endif

@@ -1,0 +1,139 @@
+#include "tests/exact/accuracy.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "tests/exact/jitter.h"
+
+static void measure_coverage(const struct meter *meter, struct accuracy *accuracy)
+{
+    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        const uint32_t exact = meter->exact_surfaces.pixels[pixel];
+        const uint32_t drawn = meter->surfaces.pixels[pixel];
+        accuracy->coverage_missing += exact != 0 && drawn != exact;
+        accuracy->coverage_extra += drawn != 0 && drawn != exact;
+    }
+}
+
+/* Texels from the right one, or from the nearer of the two on a border. */
+static int texel_error(struct axis_place exact, uint32_t texel)
+{
+    const int error = texel_difference(exact.texel, (int)texel, TEXTURE_SIDE);
+
+    return error == exact.other ? 0 : error;
+}
+
+static int largest_of(int a, int b)
+{
+    return abs(a) > abs(b) ? abs(a) : abs(b);
+}
+
+/* The frame was drawn with the texture `coord`: u is red, v is green. */
+static void measure_texels(const struct meter *meter, struct accuracy *accuracy)
+{
+    size_t wrong = 0, on_borders = 0;
+    long long sum_u = 0, sum_v = 0;
+
+    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        const uint32_t surface = meter->exact_surfaces.pixels[pixel];
+        if (surface == 0 || surface != meter->surfaces.pixels[pixel]) {
+            continue;
+        }
+        const struct place *exact = &meter->exact[pixel];
+        const uint32_t texel = meter->frame.pixels[pixel];
+        const int error_u = texel_error(exact->u, texel >> 16 & 0xFF);
+        const int error_v = texel_error(exact->v, texel >> 8 & 0xFF);
+        const int error = largest_of(error_u, error_v);
+        accuracy->pixels++;
+        wrong += error > 0;
+        sum_u += error_u;
+        sum_v += error_v;
+        accuracy->max_texel = largest_of(error, accuracy->max_texel);
+        on_borders += exact->u.other != 0 || exact->v.other != 0;
+    }
+    const double pixels = accuracy->pixels > 0 ? (double)accuracy->pixels : 1;
+    accuracy->wrong_texel_pct = 100.0 * (double)wrong / pixels;
+    accuracy->border_pct = 100.0 * (double)on_borders / pixels;
+    accuracy->bias_u = (double)sum_u / pixels;
+    accuracy->bias_v = (double)sum_v / pixels;
+}
+
+static double outside(struct reading reading)
+{
+    return fmax(fabs(reading.error) - reading.half_width, 0);
+}
+
+/* The frame was drawn with the ruler. */
+static void measure_positions(const struct meter *meter, bool truncates, int scale,
+                              struct accuracy *accuracy)
+{
+    double sum = 0, largest = 0;
+    size_t count = 0;
+
+    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        struct reading u, v;
+        if (meter_read(meter, pixel, truncates, &u, &v)) {
+            const double square = outside(u) * outside(u) + outside(v) * outside(v);
+            sum += square;
+            count++;
+            largest = fmax(largest, square);
+        }
+    }
+    accuracy->position_rms = count > 0 ? sqrt(sum / (double)count) / scale : 0;
+    accuracy->position_max = sqrt(largest) / scale;
+    accuracy->ruler_step = 1.0 / scale;
+}
+
+bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
+                    const struct stage *stage, int grid, struct accuracy *accuracy)
+{
+    const int scale = ruler_scale(list);
+
+    *accuracy = (struct accuracy){
+        .triangles = list->count, .jitter_rms = NAN, .jitter_floor = NAN};
+    if (!meter_begin(meter, list)) {
+        return false;
+    }
+    meter_draw_surfaces(meter, list, stage->draw);
+    meter_exact(meter, list, grid, 1);
+    meter_draw(meter, list, stage->draw, &meter->coordinates, 1);
+    measure_coverage(meter, accuracy);
+    measure_texels(meter, accuracy);
+    meter_exact(meter, list, grid, scale);
+    meter_draw(meter, list, stage->draw, &meter->ruler, scale);
+    measure_positions(meter, stage->truncates, scale, accuracy);
+    return true;
+}
+
+static bool measure_all(struct meter *meter, struct source *source,
+                        const struct stage *const chosen[], int count, double jitter[],
+                        struct accuracy accuracy[], void (*progress)(int done, int frames),
+                        struct error *error)
+{
+    if (!jitter_measure(meter, source, chosen, count, jitter, progress, error)) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        if (!accuracy_frame(meter, &source->triangles, chosen[i], 0, &accuracy[i])) {
+            return error_set(error, "accuracy: no memory");
+        }
+        accuracy[i].jitter_rms = jitter[i];
+        accuracy[i].jitter_floor = jitter[count];
+    }
+    return true;
+}
+
+bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
+                      struct accuracy accuracy[], void (*progress)(int done, int frames),
+                      struct error *error)
+{
+    struct meter meter = {0};
+    double *jitter = calloc((size_t)count + 1, sizeof *jitter);
+    const bool measured =
+        jitter && meter_create(&meter, source->size.width, source->size.height)
+            ? measure_all(&meter, source, chosen, count, jitter, accuracy, progress, error)
+            : error_set(error, "accuracy: no memory");
+
+    meter_destroy(&meter);
+    free(jitter);
+    return measured;
+}

@@ -1,0 +1,125 @@
+#include "tests/exact/jitter.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A position error in texels; NAN where there is none. */
+struct drift {
+    float u, v;
+};
+
+struct jitter {
+    struct drift *previous; /* a pixel's, in the frame before */
+    double sum;             /* of the squared changes */
+    size_t count;           /* of the pixels they were found in, over all frames */
+};
+
+static void jitter_add(struct jitter *jitter, size_t pixel, struct drift now)
+{
+    const struct drift previous = jitter->previous[pixel];
+
+    jitter->previous[pixel] = now;
+    if (!isnan(now.u) && !isnan(previous.u)) {
+        const double du = now.u - previous.u, dv = now.v - previous.v;
+        jitter->sum += du * du + dv * dv;
+        jitter->count++;
+    }
+}
+
+static void jitter_stage(struct jitter *jitter, struct meter *meter,
+                         const struct triangle_list *list, const struct stage *stage, int scale)
+{
+    meter_draw_surfaces(meter, list, stage->draw);
+    meter_draw(meter, list, stage->draw, &meter->ruler, scale);
+    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        struct drift now = {NAN, NAN};
+        struct reading u, v;
+        if (meter_read(meter, pixel, stage->truncates, &u, &v)) {
+            now = (struct drift){(float)(u.error / scale), (float)(v.error / scale)};
+        }
+        jitter_add(jitter, pixel, now);
+    }
+}
+
+/* A perfect mapper reads the step nearest to the exact coordinate. */
+static void jitter_perfect(struct jitter *jitter, const struct meter *meter, int scale)
+{
+    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        struct drift now = {NAN, NAN};
+        if (meter->exact_surfaces.pixels[pixel] != 0) {
+            now.u = meter->exact[pixel].u.rest / (float)scale;
+            now.v = meter->exact[pixel].v.rest / (float)scale;
+        }
+        jitter_add(jitter, pixel, now);
+    }
+}
+
+/* The last of `jitter` is the perfect mapper's. From the last shift to 0: the source ends as it
+ * began. */
+static bool measure_frames(struct meter *meter, struct source *source,
+                           const struct stage *const chosen[], int count, struct jitter *jitter,
+                           void (*progress)(int done, int frames), struct error *error)
+{
+    for (int frame = JITTER_FRAMES - 1; frame >= 0; frame--) {
+        if (!source_clip(source, frame * JITTER_SHIFT, 0, error)) {
+            return false;
+        }
+        if (!meter_begin(meter, &source->triangles)) {
+            return error_set(error, "jitter: no memory");
+        }
+        const int scale = ruler_scale(&source->triangles);
+        meter_exact(meter, &source->triangles, 0, scale);
+        for (int i = 0; i < count; i++) {
+            jitter_stage(&jitter[i], meter, &source->triangles, chosen[i], scale);
+        }
+        jitter_perfect(&jitter[count], meter, scale);
+        if (progress) {
+            progress(JITTER_FRAMES - frame, JITTER_FRAMES);
+        }
+    }
+    return true;
+}
+
+static void jitters_destroy(struct jitter *jitter, int count)
+{
+    for (int i = 0; jitter && i < count; i++) {
+        free(jitter[i].previous);
+    }
+    free(jitter);
+}
+
+/* NULL when there is no memory. */
+static struct jitter *jitters_create(int count, size_t pixels)
+{
+    struct jitter *jitter = calloc((size_t)count, sizeof *jitter);
+
+    for (int i = 0; jitter && i < count; i++) {
+        jitter[i].previous = malloc(pixels * sizeof *jitter[i].previous);
+        if (!jitter[i].previous) {
+            jitters_destroy(jitter, count);
+            return NULL;
+        }
+        for (size_t pixel = 0; pixel < pixels; pixel++) {
+            jitter[i].previous[pixel] = (struct drift){NAN, NAN};
+        }
+    }
+    return jitter;
+}
+
+bool jitter_measure(struct meter *meter, struct source *source, const struct stage *const chosen[],
+                    int count, double rms[], void (*progress)(int done, int frames),
+                    struct error *error)
+{
+    struct jitter *jitter = jitters_create(count + 1, meter_pixels(meter));
+
+    if (!jitter) {
+        return error_set(error, "jitter: no memory");
+    }
+    const bool measured =
+        measure_frames(meter, source, chosen, count, jitter, progress, error);
+    for (int i = 0; measured && i <= count; i++) {
+        rms[i] = jitter[i].count > 0 ? sqrt(jitter[i].sum / (double)jitter[i].count) : 0;
+    }
+    jitters_destroy(jitter, count + 1);
+    return measured;
+}

@@ -1,0 +1,142 @@
+#!/bin/sh
+# tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies the starting
+# point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then, and never
+# written again. Builds it, and judges it with tests/lessons/exercises/judge.c. Exit status 0: it passes; 1:
+# it does not yet; 2: bad usage, or it does not compile.
+#
+# tests/lessons/exercise.sh BUILD prove OBJECT...: does the judge fail each starting point, and pass each
+# solution? For both a line; exit status 1 where it does not.
+#
+# tests/lessons/exercises/N_E/ has task.txt; start.sed, where the starting point is not the stage as it is;
+# and solution.sed, which turns the starting point into a solution. Each changes one file, which its
+# first line names.
+# CC and CFLAGS come from the environment: make exercise sets them.
+
+build=$1
+: "${CC:=cc}"
+lessons=tests/lessons/exercises
+
+stage_of() {
+    case $1 in
+    1_*) echo stage1_float ;;
+    2_*) echo stage2_dda ;;
+    3_*) echo stage3_fixed28_4 ;;
+    4_*) echo stage4_subdivide ;;
+    5_*) echo stage5_asm ;;
+    esac
+}
+
+# The files of the stage $1 that a reader may change.
+files_of() {
+    case $1 in
+    stage5_asm) echo rasterize.c span.S ;;
+    *) echo rasterize.c ;;
+    esac
+}
+
+# Applies the sed script $1 to the file that it names, in the folder $2. It must change something.
+edit() {
+    target=$2/$(sed -n '1s/^# //p' "$1")
+    sed -f "$1" "$target" > "$target.edited" || return 1
+    if cmp -s "$target" "$target.edited"; then
+        echo "exercise: $1 changes nothing in $target" >&2
+        return 1
+    fi
+    mv "$target.edited" "$target"
+}
+
+# Puts the starting point of the exercise $1 into the folder $2.
+start() {
+    stage=$(stage_of "$1")
+    mkdir -p "$2" || return 1
+    for file in $(files_of "$stage"); do
+        cp "$stage/$file" "$2/$file" || return 1
+    done
+    [ ! -f "$lessons/$1/start.sed" ] || edit "$lessons/$1/start.sed" "$2"
+}
+
+# Builds what is in the folder $2 for the exercise $1: the stage's functions get names of their own,
+# so that the stage itself can be measured beside them.
+compile() {
+    number=${1%_*}
+    built=
+    for file in $(files_of "$(stage_of "$1")"); do
+        $CC $CFLAGS -Dstage${number}_draw_triangle=exercise_draw_triangle \
+            -Dstage${number}_draw_rows=exercise_draw_rows \
+            -c -o "$2/${file%.*}.o" "$2/$file" || return 1
+        built="$built $2/${file%.*}.o"
+    done
+    $CC $CFLAGS -o "$2/judge" $built $objects -lm
+}
+
+judge() {
+    "$2/judge" "$1"
+    status=$?
+    if [ $status -gt 2 ]; then
+        echo "FAIL  it crashed: it wrote outside the frame, or divided by zero"
+        status=1
+    fi
+    return $status
+}
+
+# Prints one line for the folder $2, which should pass or fail the exercise $1, as $3 says.
+prove_one() {
+    if ! compile "$1" "$2"; then
+        echo "FAIL exercise $1, $4: does not compile"
+        return 1
+    fi
+    judge "$1" "$2" > "$2/output"
+    if [ $? -eq "$3" ]; then
+        echo "exercise $1, $4: $([ "$3" -eq 0 ] && echo passes || echo "fails, as it should")"
+    else
+        echo "FAIL exercise $1, $4: $([ "$3" -eq 0 ] && echo "does not pass" || echo passes)"
+        cat "$2/output"
+        return 1
+    fi
+}
+
+prove() {
+    failed=0
+    for folder in "$lessons"/[1-5]_[12]; do
+        exercise=$(basename "$folder")
+        made=$build/exercises_proven/$exercise
+        rm -rf "$made"
+        start "$exercise" "$made/start" && prove_one "$exercise" "$made/start" 1 "start" &&
+            start "$exercise" "$made/solution" &&
+            edit "$folder/solution.sed" "$made/solution" &&
+            prove_one "$exercise" "$made/solution" 0 "solution" || failed=1
+    done
+    return $failed
+}
+
+if [ "$2" = prove ]; then
+    shift 2
+    objects=$*
+    prove
+    exit
+fi
+
+exercise=${2}_$3
+case $exercise in
+[1-5]_[12]) ;;
+*)
+    echo "exercise: N=$2 E=$3: no such exercise; make exercise N=1 E=1 (to N=5 E=2)" >&2
+    exit 2
+    ;;
+esac
+shift 3
+objects=$*
+folder=$build/exercise/$exercise
+[ -d "$folder" ] || start "$exercise" "$folder" || exit 2
+cat "$lessons/$exercise/task.txt"
+echo
+echo "Your copy: $(for file in $(files_of "$(stage_of "$exercise")"); do
+    printf '%s/%s ' "$folder" "$file"; done)(make clean removes it; so does deleting it, to start anew)"
+echo
+compile "$exercise" "$folder" || exit 2
+if judge "$exercise" "$folder"; then
+    echo "It passes."
+else
+    echo "Not yet."
+    exit 1
+fi

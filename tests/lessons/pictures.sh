@@ -1,0 +1,34 @@
+#!/bin/sh
+# tests/lessons/pictures.sh TEXMAP [--check]: draws the lessons' pictures, as `make pictures` does; with
+# --check compares them with those that are there, names what differs, and ends with status 1.
+# Exit status 2: one could not be drawn. Runs from the repository's root.
+
+texmap=$1
+mode=$2
+size=256x192 # a PNG file stays below 60 KB
+status=0
+
+# picture FILE COMMAND...: what texmap draws with the command.
+picture() {
+    file=$1
+    shift
+    made=$file
+    [ "$mode" != --check ] || made=$(dirname "$texmap")/picture.png
+    "$texmap" "$@" --size $size -o "$made" > /dev/null || exit 2
+    if [ "$mode" = --check ]; then
+        cmp -s "$made" "$file" || { echo "$file: not what texmap draws: make pictures"; status=1; }
+        rm "$made"
+    fi
+}
+
+picture stage1_float/affine.png render --stage segment_span --scene wall
+picture stage1_float/perspective.png render --stage 1 --scene wall
+picture stage2_dda/difference_wall.png diff --stages 1,2 --scene wall
+picture stage2_dda/difference_room.png diff --stages 1,2 --scene room
+picture stage3_fixed28_4/error_stage2.png diff --stages 2,exact --scene wall
+picture stage3_fixed28_4/error_stage3.png diff --stages 3,exact --scene wall
+picture stage4_subdivide/error_affine.png diff --stages segment_span,exact --scene floor
+picture stage4_subdivide/error_stage4.png diff --stages 4,exact --scene floor
+picture stage4_subdivide/difference_wall.png diff --stages 3,4 --scene wall
+picture stage5_asm/difference.png diff --stages 4,5 --scene wall
+exit $status

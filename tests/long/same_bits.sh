@@ -1,0 +1,175 @@
+#!/bin/sh
+# tests/long/same_bits.sh matrix|contract|aarch64 BUILD: does every build draw the frames of
+# tests/golden/? Each is built into a folder of its own under BUILD; what that printed is in its
+# log. KEPT holds the flags that the Makefile always keeps; aarch64 is held against BUILD/texmap.
+set -u
+
+top=$2
+passed=0
+failed=0
+skipped=0
+
+pass() {
+    echo "$1"
+    passed=$((passed + 1))
+}
+
+# fail TEXT [LOG]: the end of that log is shown with it.
+fail() {
+    echo "FAIL $1"
+    [ $# -lt 2 ] || tail -n 12 "$2" | sed 's/^/     /'
+    failed=$((failed + 1))
+}
+
+skip() {
+    echo "SKIP $1"
+    skipped=$((skipped + 1))
+}
+
+# need PROGRAM PACKAGE
+need() {
+    command -v "$1" > /dev/null || { echo "$1 is missing: Debian package $2"; exit 1; }
+}
+
+# build NAME COMPILER CFLAGS PROGRAMS [VARIABLE=VALUE]: builds those in the folder of that name.
+build() {
+    folder=$top/$1
+    label="$2 $3"
+    mkdir -p "$folder"
+    # No MAKEFLAGS: what the make above was told on its command line is not for these builds.
+    MAKEFLAGS='' make -s -j2 BUILD="$folder" CC="$2" CFLAGS="$3" ${5+"$5"} \
+        $(printf "$folder/%s " $4) > "$folder/log" 2>&1 ||
+        { fail "$label: does not build" "$folder/log"; return 1; }
+}
+
+# draws_the_same [EMULATOR]: does $folder/golden draw the frames that are in tests/golden/?
+draws_the_same() {
+    if "$@" "$folder/golden" > "$folder/log" 2>&1; then
+        pass "$label: $(tail -n 1 "$folder/log")"
+    else
+        fail "$label: other frames" "$folder/log"
+        return 1
+    fi
+}
+
+matrix() {
+    for line in 'gcc -O0' 'gcc -O1' 'gcc -O2' 'gcc -O3' 'gcc -Os' 'gcc -O2 -march=native' \
+        'clang -O0' 'clang -O1' 'clang -O2' 'clang -O3' 'clang -Os'; do
+        compiler=${line%% *}
+        if ! command -v "$compiler" > /dev/null; then
+            skip "$line: $compiler is missing: Debian package $compiler"
+        elif build "matrix/$(echo "$line" | tr -d ' =')" "$compiler" "${line#* }" golden; then
+            draws_the_same
+        fi
+    done
+    [ $((passed + failed)) -gt 0 ] || fail 'there is no compiler to build with'
+}
+
+# The reverse: can the digests fail? A fused a*b + c is rounded once instead of twice. It has to be
+# asked for: where it is not forbidden clang fuses, gcc with -std=c11 does not.
+contract() {
+    haswell='-O2 -march=haswell'
+    fused=$(echo "$KEPT" | sed 's/-ffp-contract=off/-ffp-contract=fast/')
+    for feature in fma avx2 bmi2; do # of what -march=haswell may use
+        if ! grep -qsw "$feature" /proc/cpuinfo; then
+            skip "$haswell: this processor has no $feature"
+            return
+        fi
+    done
+    # Forbidden first: without this, the digests could differ for any other reason.
+    build contract/off "$CC" "$haswell" golden && draws_the_same || return
+    build contract/fast "$CC" "$haswell" golden "KEPT=$fused" || return
+    "$folder/golden" > "$folder/log" 2>&1
+    if [ $? -eq 1 ] && moved=$(grep -c '^FAIL golden: .* is what it was' "$folder/log"); then
+        pass "$label -ffp-contract=fast: noticed, $moved other frames"
+    else
+        fail "$label -ffp-contract=fast: not noticed" "$folder/log"
+    fi
+}
+
+# same_file TEXT FILE: have both processors written the same, $top/native/FILE and $folder/FILE?
+same_file() {
+    if cmp "$top/native/$2" "$folder/$2"; then
+        pass "$1: the same file"
+    else
+        fail "$1: another file, $folder/$2"
+    fi
+}
+
+# same_exact NAME SOURCE...: is it the same exact answer?
+same_exact() {
+    name=$1
+    shift
+    "$top/texmap" render --stage exact "$@" -o "$top/native/$name.ppm" 2>&1 &&
+        emulated render --stage exact "$@" -o "$folder/$name.ppm" > "$folder/log" 2>&1 ||
+        { fail "exact answer, $*" "$folder/log"; return; }
+    same_file "exact answer, $*" "$name.ppm"
+}
+
+emulated() {
+    qemu-aarch64-static "$folder/texmap" "$@"
+}
+
+# arguments COMMAND: short ones for it.
+arguments() {
+    source='--scene wall --size 64x48'
+    case $1 in
+    render) echo "--stage 4 $source -o $folder/frame.png" ;;
+    diff) echo "--stages 3,4 $source" ;;
+    accuracy) echo "--stage 4 $source" ;;
+    bench) echo "--stage 4 $source --seconds 1 --csv $folder/bench.csv" ;;
+    chart) echo "$folder/bench.csv -o $folder/chart.svg" ;;
+    scene) echo "$source -o $folder/wall.tri" ;;
+    trace) echo "--stage 4 $source --row 7" ;;
+    report) echo "-o $folder/report" ;;
+    esac
+}
+
+# Every command says in one line that stage 5 is not there.
+says_so() {
+    for command in $(emulated help 2> "$folder/log" | sed -n 's/^  texmap \([a-z]*\) .*/\1/p'); do
+        # Words meant to be split: they hold no blanks of their own.
+        emulated "$command" $(arguments "$command") > "$folder/out" 2> "$folder/log"
+        status=$?
+        if [ "$status" -eq 0 ] && [ "$(grep -c 'stage 5' "$folder/log")" -eq 1 ]; then
+            pass "texmap $command: $(grep 'stage 5' "$folder/log")"
+        else
+            fail "texmap $command: exit status $status, not one line on stage 5" "$folder/log"
+        fi
+    done
+    emulated render --stage 5 --scene wall -o "$folder/5.png" > "$folder/log" 2>&1
+    if [ $? -eq 2 ] && [ "$(wc -l < "$folder/log")" -eq 1 ] && [ ! -e "$folder/5.png" ]; then
+        pass "texmap render --stage 5: $(cat "$folder/log")"
+    else
+        fail 'texmap render --stage 5: not one line and exit status 2' "$folder/log"
+    fi
+}
+
+aarch64() {
+    need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu
+    need qemu-aarch64-static qemu-user-static
+    echo '#include <stdio.h>' | aarch64-linux-gnu-gcc -E - > /dev/null 2>&1 ||
+        { echo "aarch64's C library is missing: Debian package libc6-dev-arm64-cross"; exit 1; }
+    build aarch64 aarch64-linux-gnu-gcc '-O2 -static -Werror' 'golden test texmap' || return
+    draws_the_same qemu-aarch64-static
+    # `cli` starts the program by its name, `bench` measures, and the others take minutes here.
+    for group in files clip raster exact; do
+        if qemu-aarch64-static "$folder/test" "$group" > "$folder/log" 2>&1; then
+            pass "tests of $group: $(tail -n 1 "$folder/log")"
+        else
+            fail "tests of $group" "$folder/log"
+        fi
+    done
+    mkdir -p "$top/native"
+    for scene in room wall floor mesh; do
+        same_exact "$scene" --scene "$scene"
+    done
+    for case in tests/cases/*.tri; do
+        same_exact "$(basename "$case" .tri)" --triangles "$case"
+    done
+    says_so
+}
+
+"$1"
+echo "$passed passed, $failed failed$([ "$skipped" -eq 0 ] || echo ", $skipped skipped")"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,117 @@
+/* The page is made in memory, and written when nothing can fail any more but the writing. Its
+ * template is tests/page/page.html, in which a line @NAME@ stands for a file beside it or for a
+ * part of the data. */
+#define _POSIX_C_SOURCE 200809L
+#include "tests/page/report.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "tests/files/file.h"
+
+#define TEMPLATE "page.html"
+
+struct part {
+    const char *name, *doing;
+    report_part *print;
+};
+
+static const struct part parts[] = {
+    {"room", "the room, through all stages", report_room},
+    {"steps", "a triangle, step by step", report_steps},
+    {"chords", "a scanline of stage 4", report_chords},
+    {"swim", "a triangle that moves, in 128 frames", report_swim},
+    {"speed", "speed and accuracy on all scenes, about 10 seconds", report_speed},
+    {"cases", "the cases in which a method fails, about 10 seconds", report_cases},
+};
+
+#define PART_COUNT (sizeof parts / sizeof parts[0])
+
+static const struct page_file *file_find(const char *name, size_t length)
+{
+    for (const struct page_file *file = page_files; file->name; file++) {
+        if (strlen(file->name) == length && strncmp(file->name, name, length) == 0) {
+            return file;
+        }
+    }
+    return NULL;
+}
+
+static const struct part *part_find(const char *name, size_t length)
+{
+    for (size_t i = 0; i < PART_COUNT; i++) {
+        if (strlen(parts[i].name) == length && strncmp(parts[i].name, name, length) == 0) {
+            return &parts[i];
+        }
+    }
+    return NULL;
+}
+
+static void print_file(FILE *out, const struct page_file *file)
+{
+    for (const char *const *line = file->lines; *line; line++) {
+        fputs(*line, out);
+    }
+}
+
+static bool print_line(FILE *out, const char *line, report_progress *progress,
+                       struct error *error)
+{
+    const size_t length = strcspn(line, "\n");
+
+    if (length < 3 || line[0] != '@' || line[length - 1] != '@') {
+        fputs(line, out);
+        return true;
+    }
+    const char *name = line + 1;
+    const struct page_file *file = file_find(name, length - 2);
+    const struct part *part = part_find(name, length - 2);
+    if (file) {
+        print_file(out, file);
+        return true;
+    }
+    if (!part) {
+        return error_set(error, "%s: nothing stands for %.*s", TEMPLATE, (int)length, line);
+    }
+    if (progress) {
+        progress(part->doing);
+    }
+    if (!part->print(out, error)) {
+        return false;
+    }
+    fputc('\n', out);
+    return true;
+}
+
+static bool write_bytes(const char *path, const char *bytes, size_t size, struct error *error)
+{
+    FILE *file = file_create(path, error);
+
+    if (!file) {
+        return false;
+    }
+    fwrite(bytes, 1, size, file); /* file_finish sees whether all of it arrived */
+    return file_finish(file, path, error);
+}
+
+bool report_write(const char *path, report_progress *progress, size_t *size, struct error *error)
+{
+    char *page = NULL;
+    FILE *out = open_memstream(&page, size);
+    bool done = out;
+
+    const struct page_file *template = file_find(TEMPLATE, strlen(TEMPLATE));
+    for (const char *const *line = template->lines; done && *line; line++) {
+        done = print_line(out, *line, progress, error);
+        if (done && ferror(out)) {
+            done = false;
+            error_set(error, "%s: no memory for the page", path);
+        }
+    }
+    if (!out || fclose(out) != 0) {
+        done = false;
+        error_set(error, "%s: no memory for the page", path);
+    }
+    done = done && write_bytes(path, page, *size, error);
+    free(page);
+    return done;
+}

@@ -1,0 +1,198 @@
+#include "tests/program/options.h"
+
+#include <limits.h>
+#include <stddef.h>
+#include <string.h>
+#include "common/scene.h"
+#include "tests/exact/exact.h"
+
+#define DEFAULT_WIDTH 640
+#define DEFAULT_HEIGHT 480
+#define SECONDS_MAX 3600
+
+struct rule {
+    enum option option;
+    const char *name, *value, *help;
+    size_t field; /* offset in struct options of what `parse` writes */
+    bool (*parse)(const struct rule *rule, const char *text, void *field, struct error *error);
+    int low, high; /* the range of numbers, both included */
+};
+
+static bool parse_text(const struct rule *rule, const char *text, void *field,
+                       struct error *error)
+{
+    (void)rule;
+    (void)error;
+    *(const char **)field = text;
+    return true;
+}
+
+/* Reads decimal digits, nothing else (no sign, no space), as far as they go.
+ * NULL where there are none or the number is outside low..high. */
+static const char *read_int(const char *text, int low, int high, int *value)
+{
+    const char *c = text;
+    int number = 0;
+
+    for (; *c >= '0' && *c <= '9'; c++) {
+        const int digit = *c - '0';
+        if (digit > high || number > (high - digit) / 10) {
+            return NULL; /* 10 number + digit > high */
+        }
+        number = 10 * number + digit;
+    }
+    *value = number;
+    return c > text && number >= low ? c : NULL;
+}
+
+static bool parse_int(const struct rule *rule, const char *text, void *field, struct error *error)
+{
+    const char *end = read_int(text, rule->low, rule->high, field);
+
+    if (!end || *end != '\0') {
+        return error_set(error, "%s %s: not a whole number from %d to %d", rule->name, text,
+                         rule->low, rule->high);
+    }
+    return true;
+}
+
+static bool parse_size(const struct rule *rule, const char *text, void *field,
+                       struct error *error)
+{
+    struct size *size = field;
+    const char *x = read_int(text, rule->low, rule->high, &size->width);
+    const char *end =
+        x && *x == 'x' ? read_int(x + 1, rule->low, rule->high, &size->height) : NULL;
+
+    if (!end || *end != '\0') {
+        return error_set(error, "%s %s: not WIDTHxHEIGHT, each from %d to %d", rule->name, text,
+                         rule->low, rule->high);
+    }
+    return true;
+}
+
+#define FIELD(name) offsetof(struct options, name)
+
+static const struct rule rules[] = {
+    {OPTION_STAGE, "--stage", "S",
+     "1 2 3 4 5, a stage's folder, exact (the right answer), or\n"
+     "                        segment_4, segment_8, segment_32, segment_64, segment_span:\n"
+     "                        stage 4 with other segment lengths; the last is plain affine",
+     FIELD(stage), parse_text, 0, 0},
+    {OPTION_STAGES, "--stages", "A,B", "two of them", FIELD(stages), parse_text, 0, 0},
+    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh (bench: or all)", FIELD(scene),
+     parse_text, 0, 0},
+    {OPTION_FRAME, "--frame", "K", "frame of the scene, 0 to 255; only the room moves (default 0)",
+     FIELD(frame), parse_int, 0, SCENE_FRAMES - 1},
+    {OPTION_TRIANGLES, "--triangles", "FILE.tri", "screen triangles in place of a scene",
+     FIELD(triangles), parse_text, 0, 0},
+    {OPTION_SIZE, "--size", "WxH",
+     "the frame, each side 1 to 4096 pixels (default 640x480; bench: 1024x768)", FIELD(size),
+     parse_size, 1, FRAME_SIDE_MAX},
+    {OPTION_TEXTURE, "--texture", "T",
+     "own (default), coord (R=u, G=v; .tri files' own), checker,\n"
+     "                        or a P6 .ppm file with sides that are powers of two",
+     FIELD(texture), parse_text, 0, 0},
+    {OPTION_OUTPUT, "-o", "FILE", "where to write the result", FIELD(output), parse_text, 0, 0},
+    {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
+     FIELD(max_pixels), parse_int, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX},
+    {OPTION_CSV, "--csv", "FILE", "where to write the table as CSV", FIELD(csv), parse_text, 0, 0},
+    {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
+     FIELD(seconds), parse_int, 1, SECONDS_MAX},
+    {OPTION_TRIANGLE, "--triangle", "K", "which, counted from 0 in drawing order (default 0)",
+     FIELD(triangle), parse_int, 0, INT_MAX},
+    {OPTION_ROW, "--row", "Y", "only this scanline of it", FIELD(row), parse_int, 0,
+     FRAME_SIDE_MAX - 1},
+    {OPTION_JSON, "--json", "FILE", "where to write it as JSON", FIELD(json), parse_text, 0, 0},
+};
+
+#define RULE_COUNT (sizeof rules / sizeof rules[0])
+
+static const struct rule *rule_find(const char *name, unsigned accepted)
+{
+    for (size_t i = 0; i < RULE_COUNT; i++) {
+        if ((rules[i].option & accepted) && strcmp(rules[i].name, name) == 0) {
+            return &rules[i];
+        }
+    }
+    return NULL;
+}
+
+/* Takes one option and its value, or the argument: *words stands after what was taken. */
+static bool parse_word(struct options *options, const char *command, char ***words,
+                       unsigned accepted, struct error *error)
+{
+    const char *word = *(*words)++;
+    const struct rule *rule = rule_find(word, accepted);
+
+    if (!rule && (accepted & OPTION_ARGUMENT) && word[0] != '-') {
+        if (options->given & OPTION_ARGUMENT) {
+            return error_set(error, "%s: one argument too many: %s", command, word);
+        }
+        options->given |= OPTION_ARGUMENT;
+        options->argument = word;
+        return true;
+    }
+    if (!rule) {
+        return error_set(error, "%s: no such option: %s", command, word);
+    }
+    if (options->given & rule->option) {
+        return error_set(error, "%s: given twice", rule->name);
+    }
+    /* The next option is not a value: `--scene --frame 3` lacks one. */
+    if (!**words || strncmp(**words, "--", 2) == 0) {
+        return error_set(error, "%s: needs a value", rule->name);
+    }
+    options->given |= rule->option;
+    return rule->parse(rule, *(*words)++, (char *)options + rule->field, error);
+}
+
+bool options_parse(struct options *options, const char *command, char **words, unsigned accepted,
+                   unsigned required, struct error *error)
+{
+    *options = (struct options){.size = {DEFAULT_WIDTH, DEFAULT_HEIGHT}};
+    while (*words) {
+        if (!parse_word(options, command, &words, accepted, error)) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < RULE_COUNT; i++) {
+        if (rules[i].option & required & ~options->given) {
+            return error_set(error, "%s: needs %s %s", command, rules[i].name, rules[i].value);
+        }
+    }
+    if (required & OPTION_ARGUMENT & ~options->given) {
+        return error_set(error, "%s: needs an argument", command);
+    }
+    return true;
+}
+
+void options_describe(FILE *file, unsigned accepted)
+{
+    for (size_t i = 0; i < RULE_COUNT; i++) {
+        if (rules[i].option & accepted) {
+            fprintf(file, "  %-12s %-8s %s\n", rules[i].name, rules[i].value, rules[i].help);
+        }
+    }
+}
+
+const struct stage *stage_parse(const char *option, const char *name, struct error *error)
+{
+    static const struct stage exact = {"exact", NULL, exact_draw_triangle, 1, 0, false};
+    const struct stage *stage = strcmp(name, exact.name) == 0 ? &exact : stage_find(name);
+
+    if (!stage) {
+#ifndef TEXMAP_STAGE5
+        if (strcmp(name, "5") == 0 || strcmp(name, "stage5_asm") == 0) {
+            error_set(error, "%s %s: x86-64 assembly, left out of this build", option, name);
+            return NULL;
+        }
+#endif
+        if (strcmp(name, "coda") == 0) {
+            error_set(error, "%s %s: " CODA_MISSING, option, name);
+            return NULL;
+        }
+        error_set(error, "%s %s: no such stage", option, name);
+    }
+    return stage;
+}

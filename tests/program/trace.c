@@ -1,0 +1,100 @@
+/* texmap trace: what a stage computed for one triangle, or one row of it, pixel by pixel. */
+#include <stdio.h>
+#include <string.h>
+#include "tests/files/file.h"
+#include "tests/program/commands.h"
+#include "tests/program/source.h"
+#include "tests/trace/trace.h"
+
+static bool choose_row(struct trace *trace, const struct options *options, struct error *error)
+{
+    if (!(options->given & OPTION_ROW) || trace_keep_row(trace, options->row)) {
+        return true;
+    }
+    if (trace->row_count == 0) {
+        return error_set(error, "--row %d: triangle %d has no rows in %s", options->row,
+                         options->triangle, trace->stage->name);
+    }
+    return error_set(error, "--row %d: triangle %d has rows %d to %d in %s", options->row,
+                     options->triangle, trace->rows[0].y, trace->rows[trace->row_count - 1].y,
+                     trace->stage->name);
+}
+
+static bool trace_source(const struct source *source, const struct stage *stage,
+                         const struct options *options, struct trace *trace, struct error *error)
+{
+    const size_t count = source->triangles.count;
+
+    if ((size_t)options->triangle >= count) {
+        return error_set(error, "--triangle %d: %s at %dx%d has %zu triangle%s, counted from 0",
+                         options->triangle, source->name, source->size.width, source->size.height,
+                         count, count == 1 ? "" : "s");
+    }
+    const struct triangle *triangle = &source->triangles.items[options->triangle];
+    if (!trace_triangle(stage, triangle, &source->textures[triangle->texture], source->size.width,
+                        source->size.height, trace)) {
+        return error_set(error, "trace: no memory");
+    }
+    if (!choose_row(trace, options, error)) {
+        trace_destroy(trace);
+        return false;
+    }
+    return true;
+}
+
+/* To standard output where the path is -; main() looks whether that arrived. */
+static bool write_to(const char *path, void (*write)(FILE *file, const struct trace *trace),
+                     const struct trace *trace, struct error *error)
+{
+    if (strcmp(path, "-") == 0) {
+        write(stdout, trace);
+        return true;
+    }
+    FILE *file = file_create(path, error);
+    if (!file) {
+        return false;
+    }
+    write(file, trace);
+    return file_finish(file, path, error);
+}
+
+static enum outcome run(const struct options *options, struct error *error)
+{
+    const struct stage *stage = stage_parse("--stage", options->stage, error);
+    struct source source;
+    struct trace trace;
+
+    if (!stage || !trace_available(stage, "--stage", error)) {
+        return OUTCOME_FAILED;
+    }
+    if (options->csv && options->json) {
+        error_set(error, "--json: not together with --csv");
+        return OUTCOME_FAILED;
+    }
+    if (!source_open(&source, options, error)) {
+        return OUTCOME_FAILED;
+    }
+    bool done = trace_source(&source, stage, options, &trace, error);
+    if (done) {
+        if (options->json) {
+            done = write_to(options->json, trace_write_json, &trace, error);
+        } else if (options->csv) {
+            done = write_to(options->csv, trace_write_csv, &trace, error);
+        } else {
+            printf("%s, triangle %d of %s, counted from 0 to %zu, in drawing order\n\n",
+                   stage->name, options->triangle, source.name, source.triangles.count - 1);
+            trace_write_table(stdout, &trace);
+        }
+        trace_destroy(&trace);
+    }
+    source_close(&source);
+    return done ? OUTCOME_DONE : OUTCOME_FAILED;
+}
+
+const struct command command_trace = {
+    "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE | --json FILE]",
+    "Shows what a stage, 1 to 4, computed for one triangle: along its edges and in its pixels,\n"
+    "with the exact answer beside them. With --csv or --json there, in place of the table;\n"
+    "FILE - is standard output.",
+    OPTION_STAGE | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV | OPTION_JSON,
+    OPTION_STAGE, run};

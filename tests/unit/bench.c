@@ -1,0 +1,155 @@
+/* bench as its users run it: its CSV, its table, its bounds. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "tests/bench/bench.h"
+#include "tests/unit/check.h"
+#include "tests/unit/cli.h"
+#include "tests/files/csv.h"
+#include "tests/unit/test.h"
+
+/* The columns that may not be renamed or moved. */
+static const char *const columns[] = {
+    "stage", "scene", "width", "height", "triangles", "pixels", "wrong_texel_pct", "bias_u",
+    "bias_v", "max_texel", "position_rms", "position_max", "coverage_missing", "coverage_extra",
+    "jitter_rms", "ns_per_pixel_min", "ns_per_pixel_median", "ns_per_triangle_min",
+    "memset_ns_per_pixel", "pixels_drawn"};
+
+#define COLUMN_COUNT (sizeof columns / sizeof columns[0])
+
+enum column {
+    STAGE,
+    SCENE,
+    PIXELS = 5,
+    JITTER = 14,
+    PIXEL_MIN,
+    PIXEL_MEDIAN,
+    TRIANGLE_MIN,
+    MEMSET
+};
+
+static double number(const struct csv *csv, size_t row, enum column column)
+{
+    struct error error;
+    double value = NAN;
+
+    csv_number(csv, row, column, CSV_NOT_NEGATIVE, &value, &error);
+    return value;
+}
+
+static void test_columns(const struct csv *csv)
+{
+    check(csv->column_count == COLUMN_COUNT, "bench writes these columns", "%zu, expected %zu",
+          csv->column_count, COLUMN_COUNT);
+    for (size_t i = 0; i < COLUMN_COUNT && i < csv->column_count; i++) {
+        check(strcmp(csv->columns[i], columns[i]) == 0, "each column has its place and name",
+              "column %zu is %s, expected %s", i, csv->columns[i], columns[i]);
+    }
+    const char *const comments[] = {"machine: ", "compiler: ", "flags: ",
+                                    "date: ",    "pinned: ",   "rounds: "};
+    for (size_t i = 0; i < sizeof comments / sizeof comments[0]; i++) {
+        check(i < csv->comment_count && strncmp(csv->comments[i], comments[i],
+                                                strlen(comments[i])) == 0,
+              "the comments on top say where the numbers are from", "expected %s", comments[i]);
+    }
+}
+
+static void test_rows(const struct csv *csv)
+{
+    size_t expected = 0;
+
+    for (const struct stage *stage = stages; stage->name; stage++) {
+        expected += SCENE_COUNT;
+    }
+    check(csv->row_count == expected, "all stages and segment lengths on all scenes",
+          "%zu rows, expected %zu", csv->row_count, expected);
+    for (size_t i = 0; i < csv->row_count; i++) {
+        const double min = number(csv, i, PIXEL_MIN), median = number(csv, i, PIXEL_MEDIAN);
+        const char *stage = csv_text(csv, i, STAGE), *scene = csv_text(csv, i, SCENE);
+        check(min > 0 && min <= median && number(csv, i, TRIANGLE_MIN) > 0 &&
+                  number(csv, i, MEMSET) > 0,
+              "times are there, and min <= median", "%s on %s: %g, %g", stage, scene, min, median);
+        check(*csv_text(csv, i, JITTER) == '\0' && number(csv, i, PIXELS) > 0,
+              "accuracy is there, without jitter", "%s on %s", stage, scene);
+    }
+}
+
+static void test_csv(void)
+{
+    struct csv csv;
+    struct error error = {""};
+    const int status = cli_run("bench --size 64x48 --seconds 1 --csv a.csv");
+
+    if (!check(status == 0 && csv_read("a.csv", &csv, &error), "bench writes a CSV file",
+               "status %d, %s", status, error.text)) {
+        return;
+    }
+    test_columns(&csv);
+    if (csv.column_count == COLUMN_COUNT) {
+        test_rows(&csv);
+    }
+    csv_destroy(&csv);
+    check(cli_run("chart a.csv -o a.svg") == 0, "chart draws what bench wrote", "it failed");
+}
+
+#define SLACK 2.0 /* seconds; the machine may be busy */
+
+static void test_seconds(void)
+{
+    const double start = bench_clock();
+    const int status = cli_run("bench --stage 4 --scene mesh --size 320x240 --seconds 1");
+    const double taken = bench_clock() - start;
+
+    check(status == 0 && taken < 1 + SLACK, "--seconds bounds the whole command",
+          "status %d, %.1f s", status, taken);
+}
+
+/* The speed against stage 1 stands only where stage 1 was measured. */
+static void test_table(void)
+{
+    const char *const with = "stage1=1";
+    const char *const runs[] = {"--stage 2 --scene wall", "--stage all --scene wall"};
+
+    for (int i = 0; i < 2; i++) {
+        size_t size;
+        const int status = cli_run("bench --size 8x8 --seconds 1 %s", runs[i]);
+        char *text = cli_read(CLI_STDOUT, &size);
+        check(status == 0 && text && (strstr(text, with) != NULL) == (i == 1) &&
+                  strstr(text, "memset=1"),
+              "the table's ratios are to memset, and to stage 1 where that was run", "bench %s",
+              runs[i]);
+        free(text);
+    }
+}
+
+static void test_refused(void)
+{
+    static const char *const bad[] = {
+        "bench --stage 9",    "bench --stage ''",      "bench --scene nosuch", "bench --scene ''",
+        "bench --seconds 0",  "bench --seconds -1",    "bench --seconds 1.5",  "bench --seconds",
+        "bench --seconds 1x", "bench --seconds 99999", "bench --size 0x1",     "bench --frame 1",
+        "bench extra",        "bench --stage 1 --scene wall --size 8x8 --csv missing/a.csv"};
+
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        size_t size = 0;
+        const int status = cli_run("%s", bad[i]);
+        char *printed = cli_read(CLI_STDOUT, &size);
+        check(status == 2 && printed && size == 0, "bench refuses what it does not understand",
+              "%s: status %d, %zu bytes printed", bad[i], status, size);
+        free(printed);
+    }
+}
+
+void test_bench(void)
+{
+    test_bench_gate();
+    if (!check(cli_open(), "there is a program to run", "build/texmap")) {
+        return;
+    }
+    test_csv();
+    test_seconds();
+    test_table();
+    test_refused();
+    cli_close();
+}

@@ -1,0 +1,133 @@
+/* What bench holds a frame to before it times it: stages pass, stages with a mistake do not. */
+#include <math.h>
+#include <string.h>
+#include "tests/bench/bench.h"
+#include "tests/unit/check.h"
+#include "tests/unit/test.h"
+
+#define WIDTH 64
+#define HEIGHT 48
+#define BAD_ROW 20 /* of the frame */
+
+/* Stages 3 and 4 with a mistake each. */
+static void draw_without_row(struct image *frame, const struct image *texture,
+                             const struct vertex v[3])
+{
+    uint32_t *row = frame->pixels + (size_t)BAD_ROW * (size_t)frame->stride;
+    uint32_t kept[WIDTH];
+
+    memcpy(kept, row, sizeof kept);
+    stage4_draw_triangle(frame, texture, v);
+    memcpy(row, kept, sizeof kept);
+}
+
+static void draw_one_off(struct image *frame, const struct image *texture,
+                         const struct vertex v[3])
+{
+    struct vertex moved[3] = {v[0], v[1], v[2]};
+
+    for (int k = 0; k < 3; k++) {
+        moved[k].u += 1;
+    }
+    stage3_draw_triangle(frame, texture, moved);
+}
+
+static void draw_half_with_texture(struct image *frame, const struct image *texture,
+                                   const struct vertex v[3])
+{
+    if (texture->width == 1) {
+        stage4_draw_triangle(frame, texture, v);
+    } else {
+        draw_without_row(frame, texture, v);
+    }
+}
+
+static const struct stage fakes[] = {
+    {"no row", NULL, draw_without_row, 16, 16, false},
+    {"a texel off", NULL, draw_one_off, 1, 16, false},
+    {"no row but in numbers", NULL, draw_half_with_texture, 16, 16, false},
+    {"stage 3 as stage 5", "5", stage3_draw_triangle, 16, 16, false},
+    {"stage 2 as stage 3", NULL, stage2_draw_triangle, 1, 16, true},
+    {"affine as stage 4", NULL, segment_span_draw_triangle, 16, 16, false},
+};
+
+#define FAKE_COUNT ((int)(sizeof fakes / sizeof fakes[0]))
+
+/* All stages and the fakes on one scene, judged and timed for one round. */
+static bool run_with_fakes(struct bench *bench, const char *scene, struct error *error)
+{
+    struct bench_choice choice = {.scene = scene, .size = {WIDTH, HEIGHT}};
+
+    for (const struct stage *stage = stages; stage->name; stage++) {
+        if (choice.stage_count < BENCH_STAGES_MAX - FAKE_COUNT) {
+            choice.stages[choice.stage_count++] = stage;
+        }
+    }
+    for (int i = 0; i < FAKE_COUNT; i++) {
+        choice.stages[choice.stage_count++] = &fakes[i];
+    }
+    if (!bench_open(bench, &choice, error)) {
+        return false;
+    }
+    if (!bench_judge(bench, NULL, error)) {
+        bench_close(bench);
+        return false;
+    }
+    bench_time(bench, bench_clock(), NULL);
+    return true;
+}
+
+static void test_wrong(void)
+{
+    struct bench bench;
+    struct error error = {""};
+
+    if (!check(run_with_fakes(&bench, "wall", &error), "a bench with fakes runs", "%s",
+               error.text)) {
+        return;
+    }
+    for (int i = 0; i < bench.row_count; i++) {
+        const struct bench_row *row = &bench.rows[i];
+        const bool fake = row->stage >= fakes && row->stage < fakes + FAKE_COUNT;
+        check(row->wrong == fake, "the gate stops fakes, and no stage", "%s on wall: %s",
+              row->stage->name, row->wrong ? row->why.text : "passed");
+        check(isnan(row->ns_min) == fake && isnan(row->ns_median) == fake,
+              "what is wrong is not timed, all else is", "%s on wall: %f ns", row->stage->name,
+              row->ns_min);
+    }
+    check(!bench_all_right(&bench) && bench.rounds == 1,
+          "one round is run when there is no time left, and the bench says that it is not right",
+          "%d rounds", bench.rounds);
+    bench_close(&bench);
+}
+
+/* Every stage passes everywhere, or the report would be of no use. */
+static void test_right(void)
+{
+    static const struct size sizes[] = {{1, 1}, {17, 3}, {321, 243}, {3, 401}};
+
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct bench_choice choice = {.size = sizes[i]};
+        struct bench bench;
+        struct error error = {""};
+        for (const struct stage *stage = stages; stage->name; stage++) {
+            choice.stages[choice.stage_count++] = stage;
+        }
+        if (!check(bench_open(&bench, &choice, &error) && bench_judge(&bench, NULL, &error),
+                   "a bench of all stages opens", "%s", error.text)) {
+            return;
+        }
+        for (int k = 0; k < bench.row_count; k++) {
+            check(!bench.rows[k].wrong, "stages pass the gate at odd sizes", "%s on %s, %dx%d: %s",
+                  bench.rows[k].stage->name, bench.rows[k].source->name, sizes[i].width,
+                  sizes[i].height, bench.rows[k].why.text);
+        }
+        bench_close(&bench);
+    }
+}
+
+void test_bench_gate(void)
+{
+    test_wrong();
+    test_right();
+}

@@ -1,0 +1,160 @@
+/* At the limits that the stages are promised, and just beyond: inside, every promise holds
+ * (tests/judge/promises.h); outside, input is refused. */
+#include <math.h>
+#include <string.h>
+#include "common/clip.h"
+#include "tests/unit/check.h"
+#include "tests/exact/exact.h"
+#include "tests/judge/promises.h"
+#include "tests/unit/test.h"
+
+#define STEP (1 / 65536.0f) /* pixels: from one place a vertex may have to the next */
+
+#define BIG FRAME_SIDE_MAX
+#define FAR (BIG - 0.5f)  /* the right and bottom border of the largest frame */
+#define TEX TEXTURE_SIDE_MAX
+#define U ((float)TEXEL_MAX)
+#define NEAR_Z ((float)DEPTH_MIN)
+#define FAR_Z ((float)DEPTH_MAX)
+
+static const struct {
+    const char *name;
+    int width, height, texture_width, texture_height;
+    struct vertex v[3];
+} inside[] = {
+    {"a frame of one pixel, its centre inside", 1, 1, 64, 64,
+     {{-0.5f, -0.5f, 1, 0, 0}, {0.5f, -0.5f, 2, 63, 0}, {-0.5f, 0.5f, 3, 0, 63}}},
+    {"a frame of one pixel, its centre on the last edge", 1, 1, 1, 1,
+     {{0.5f, 0.5f, 1, 0, 0}, {0.5f, -0.5f, 2, 9, 0}, {-0.5f, 0.5f, 3, 0, 9}}},
+    {"a row of 4096 pixels", BIG, 1, TEX, 1,
+     {{-0.5f, -0.5f, 1, -0.5f, 0}, {FAR, -0.5f, 9, 4095.5f, 0}, {-0.5f, 0.5f, 1, 0, 0}}},
+    {"a column of 4096 pixels", 1, BIG, 1, TEX,
+     {{-0.5f, -0.5f, 1, 0, -0.5f}, {0.5f, -0.5f, 1, 0, 0}, {-0.5f, FAR, 9, 0, 4095.5f}}},
+    {"the largest frame, above its diagonal", BIG, BIG, 256, 256,
+     {{-0.5f, -0.5f, 1, 0, 0}, {FAR, -0.5f, 4, 255, 0}, {-0.5f, FAR, 2, 0, 255}}},
+    {"the largest frame, below its diagonal", BIG, BIG, TEX, TEX,
+     {{FAR, FAR, 1, 0, 0}, {-0.5f, FAR, FAR_Z, U, -U}, {FAR, -0.5f, NEAR_Z, -U, U}}},
+    {"edges whose products need 32 bits and more", BIG, BIG, 64, 64,
+     {{FAR, -0.5f, 1, 0, 0}, {-0.5f, FAR, 2, 63, 0}, {-0.5f, 2047.5f, 3, 0, 63}}},
+    {"legs of 2896 and 2897 pixels", BIG, BIG, 64, 64,
+     {{2896, 0, 1, 0, 0}, {0, 2897, 2, 63, 0}, {0, 0, 3, 0, 63}}},
+    {"a needle as long as the largest frame", BIG, BIG, 64, 64,
+     {{-0.5f, -0.5f, 1, 0, 0}, {FAR, FAR, 2, 63, 0}, {FAR, FAR - 0.0625f, 3, 0, 63}}},
+    {"u and v from one limit to the other", 64, 64, 256, 256,
+     {{0, 0, 1, U, -U}, {63.5f, 0, 2, -U, U}, {0, 63.5f, 3, U, U}}},
+    {"u and v constant at the limits", 64, 64, TEX, TEX,
+     {{0, 0, 1, U, -U}, {63.5f, 0, 2, U, -U}, {0, 63.5f, 3, U, -U}}},
+    {"every depth at once, near on the left", 64, 64, 64, 64,
+     {{0, 0, NEAR_Z, 0, 0}, {63.5f, 0, FAR_Z, 63, 0}, {0, 63.5f, NEAR_Z, 0, 63}}},
+    {"every depth at once, far on the left", 64, 64, 64, 64,
+     {{0, 0, FAR_Z, 0, 0}, {63.5f, 0, NEAR_Z, 63, 0}, {0, 63.5f, FAR_Z, 0, 63}}},
+    {"every limit at once", 64, 64, 1, 1,
+     {{-0.5f, -0.5f, FAR_Z, -U, U}, {63.5f, -0.5f, NEAR_Z, U, -U}, {63.5f, 63.5f, FAR_Z, U, U}}},
+    {"a texture used once, from border to border", 64, 64, 64, 64,
+     {{63.5f, 63.5f, 3, -0.5f, 63.5f}, {-0.5f, 63.5f, 1, 63.5f, 63.5f},
+      {63.5f, -0.5f, 2, -0.5f, -0.5f}}},
+    {"a texture of one texel, from border to border", 64, 64, 1, 1,
+     {{0, 0, 1, -0.5f, 0.5f}, {63.5f, 0, 4, 0.5f, 0.5f}, {0, 63.5f, 9, -0.5f, -0.5f}}},
+};
+
+static void test_inside(struct promises *promises)
+{
+    char text[PROMISES_TEXT] = "";
+
+    for (size_t i = 0; i < sizeof inside / sizeof inside[0]; i++) {
+        struct promises_case given = {
+            .width = inside[i].width,
+            .height = inside[i].height,
+            .texture =
+                promises_texture(promises, inside[i].texture_width, inside[i].texture_height),
+            .v = {inside[i].v[0], inside[i].v[1], inside[i].v[2]},
+            .apex = inside[i].v[2],
+        };
+        check(given.texture >= 0 && promises_hold(promises, &given, text), inside[i].name, "%s",
+              text);
+    }
+}
+
+/* All three vertices on a pixel's centre, a step before it, or a step after it, on both axes: 3^6
+ * triangles of each shape. */
+static void test_centres(struct promises *promises)
+{
+    static const float shapes[][3][2] = {{{3, 3}, {9, 3}, {3, 9}},
+                                         {{2, 2}, {10, 5}, {5, 10}},
+                                         {{4, 1}, {5, 1}, {4, 14}},
+                                         {{0.5f, 0.5f}, {8.5f, 7.5f}, {15.5f, 14.5f}}};
+    char text[PROMISES_TEXT] = "";
+    bool holds = true;
+
+    for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; s++) {
+        for (int n = 0; holds && n < 729; n++) {
+            struct promises_case given = {.width = 16, .height = 16};
+            int digits = n; /* of base 3: -1, 0, 1 steps for each coordinate */
+            for (int k = 0; k < 3; k++, digits /= 9) {
+                given.v[k] = (struct vertex){shapes[s][k][0] + (float)(digits % 3 - 1) * STEP,
+                                             shapes[s][k][1] + (float)(digits / 3 % 3 - 1) * STEP,
+                                             1.0f + (float)k, 20.0f * (float)k, 60 - 30 * (float)k};
+                given.v[k].x = fminf(given.v[k].x, 15.5f);
+            }
+            given.apex = given.v[2];
+            holds = promises_hold(promises, &given, text);
+        }
+    }
+    check(holds, "vertices on pixel centres, on borders, and 2^-16 beside them", "%s", text);
+}
+
+#define CLIP_WIDTH 67
+#define CLIP_HEIGHT 45
+
+/* A rectangle as large as positions may be: what clipping leaves covers the frame, each pixel once,
+ * in every stage. */
+static void test_positions(struct promises *promises)
+{
+    const float p = (float)POSITION_MAX;
+    const struct vertex corners[4] = {
+        {-p, -p, NEAR_Z, -U, -U}, {p, -p, 1, U, -U}, {p, p, FAR_Z, U, U}, {-p, p, 1, -U, U}};
+    const struct triangle halves[2] = {{{corners[0], corners[1], corners[2]}, TEXTURE_COORD},
+                                       {{corners[0], corners[2], corners[3]}, TEXTURE_COORD}};
+    const struct view view = {CLIP_WIDTH, CLIP_HEIGHT, 0, 0};
+    struct triangle_list given = {0}, list = {0};
+    struct promises_case one = {.width = CLIP_WIDTH, .height = CLIP_HEIGHT};
+    char text[PROMISES_TEXT] = "";
+    int hits[CLIP_WIDTH * CLIP_HEIGHT] = {0};
+    bool holds = triangle_list_add(&given, &halves[0]) && triangle_list_add(&given, &halves[1]) &&
+                 clip_screen_triangles(&given, &view, &list);
+
+    for (size_t i = 0; holds && i < list.count; i++) {
+        struct exact_triangle exact;
+        memcpy(one.v, list.items[i].v, sizeof one.v);
+        one.apex = one.v[2];
+        holds = promises_hold(promises, &one, text);
+        for (int y = 0; exact_setup(&exact, one.v) && y < CLIP_HEIGHT; y++) {
+            int first, end;
+            exact_row(&exact, y, CLIP_WIDTH, &first, &end);
+            for (int x = first; x < end; x++) {
+                hits[y * CLIP_WIDTH + x]++;
+            }
+        }
+    }
+    check(holds, "x and y at their limits, clipped", "%s", text);
+    for (int i = 0; holds && i < CLIP_WIDTH * CLIP_HEIGHT; i++) {
+        holds = hits[i] == 1;
+    }
+    check(holds, "x and y at their limits: the frame is covered, each pixel once", "it is not");
+    triangle_list_destroy(&given);
+    triangle_list_destroy(&list);
+}
+
+void test_limits(void)
+{
+    struct promises promises;
+
+    test_limits_entry();
+    if (!check(promises_create(&promises), "there is memory for the limits", "there is not")) {
+        return;
+    }
+    test_inside(&promises);
+    test_centres(&promises);
+    test_positions(&promises);
+    promises_destroy(&promises);
+}

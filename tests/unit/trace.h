@@ -1,0 +1,15 @@
+/* What the parts of the test group `trace` share. */
+#ifndef TESTS_TEST_TRACE_H
+#define TESTS_TEST_TRACE_H
+
+#include "tests/unit/check.h"
+#include "tests/trace/trace.h"
+
+/* A random triangle, no sliver, inside a frame of 80x48, for the coordinate texture. */
+void test_trace_triangle(struct random *random, struct triangle *triangle);
+
+/* The rest of the group: JSON, CSV and the table; the command. */
+void test_trace_files(void);
+void test_trace_cli(void);
+
+#endif
