@@ -37,6 +37,7 @@ void meter_destroy(struct meter *meter)
     image_destroy(&meter->exact_surfaces);
     free(meter->exact);
     free(meter->surface_of);
+    *meter = (struct meter){0};
 }
 
 size_t meter_pixels(const struct meter *meter)

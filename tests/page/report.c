@@ -1,12 +1,10 @@
-/* The page is made in memory, and written when nothing can fail any more but the writing. Its
- * template is tests/page/page.html, in which a line @NAME@ stands for a file beside it or for a
- * part of the data. */
+/* The page's template is tests/page/page.html, in which a line @NAME@ stands for a file beside it or
+ * for a part of the data. */
 #define _POSIX_C_SOURCE 200809L
 #include "tests/page/report.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include "tests/files/file.h"
 
 #define TEMPLATE "page.html"
 
@@ -82,18 +80,7 @@ static bool print_line(FILE *out, const char *line, report_progress *progress,
     return true;
 }
 
-static bool write_bytes(const char *path, const char *bytes, size_t size, struct error *error)
-{
-    FILE *file = file_create(path, error);
-
-    if (!file) {
-        return false;
-    }
-    fwrite(bytes, 1, size, file); /* file_finish sees whether all of it arrived */
-    return file_finish(file, path, error);
-}
-
-bool report_write(const char *path, report_progress *progress, size_t *size, struct error *error)
+char *report_make(report_progress *progress, size_t *size, struct error *error)
 {
     char *page = NULL;
     FILE *out = open_memstream(&page, size);
@@ -104,14 +91,16 @@ bool report_write(const char *path, report_progress *progress, size_t *size, str
         done = print_line(out, *line, progress, error);
         if (done && ferror(out)) {
             done = false;
-            error_set(error, "%s: no memory for the page", path);
+            error_set(error, "report: no memory for the page");
         }
     }
     if (!out || fclose(out) != 0) {
         done = false;
-        error_set(error, "%s: no memory for the page", path);
+        error_set(error, "report: no memory for the page");
     }
-    done = done && write_bytes(path, page, *size, error);
+    if (done) {
+        return page;
+    }
     free(page);
-    return done;
+    return NULL;
 }

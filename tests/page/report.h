@@ -9,10 +9,9 @@
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
 
-/* Measures all that the page shows (10 to 30 seconds) and writes it to `path`; *size is then the
- * file's, in bytes. `progress` may be NULL. On failure no file is left behind. */
-bool report_write(const char *path, report_progress *progress, size_t *size,
-                  struct error *error);
+/* Measures all that the page shows (10 to 30 seconds) and returns it, *size bytes, for the caller to
+ * free; NULL with `error` set on failure. `progress` may be NULL. */
+char *report_make(report_progress *progress, size_t *size, struct error *error);
 
 /* A part of the page's data: prints one JSON value. */
 typedef bool report_part(FILE *out, struct error *error);

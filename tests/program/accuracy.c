@@ -120,13 +120,14 @@ static enum outcome run(const struct options *options, struct error *error)
     const bool done =
         (!csv || !strpbrk(source.name, ",\"\n") ||
          error_set(error, "--csv: no commas or quotes in the name %s", source.name)) &&
-        accuracy_measure(&source, choice.stages, choice.count, accuracy, show_progress, error) &&
-        (!csv || write_csv(csv, &source, &choice, accuracy, error));
+        (!csv || file_possible(csv, error)) &&
+        accuracy_measure(&source, choice.stages, choice.count, accuracy, show_progress, error);
     if (done) {
         print_table(&source, &choice, accuracy);
     }
+    const bool written = done && (!csv || write_csv(csv, &source, &choice, accuracy, error));
     source_close(&source);
-    return done ? OUTCOME_DONE : OUTCOME_FAILED;
+    return written ? OUTCOME_DONE : OUTCOME_FAILED;
 }
 
 const struct command command_accuracy = {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include "tests/bench/bench.h"
 #include "tests/bench/machine.h"
+#include "tests/files/file.h"
 #include "tests/program/commands.h"
 
 #define DEFAULT_SECONDS 60
@@ -131,15 +132,16 @@ static enum outcome run(const struct options *options, struct error *error)
     struct bench bench;
 
     machine_pin();
-    if (!choose(&choice, options, error) || !bench_open(&bench, &choice, error)) {
+    if (!choose(&choice, options, error) ||
+        (options->csv && !file_possible(options->csv, error)) || !bench_open(&bench, &choice, error)) {
         return OUTCOME_FAILED;
     }
     enum outcome outcome = OUTCOME_FAILED;
     if (bench_judge(&bench, show_progress, error)) {
         bench_time(&bench, start + seconds, show_progress);
         clear_progress();
+        print_table(&bench);
         if (!options->csv || bench_write_csv(options->csv, &bench, error)) {
-            print_table(&bench);
             outcome = bench_all_right(&bench) ? OUTCOME_DONE : OUTCOME_CHECK_FAILED;
         }
     }

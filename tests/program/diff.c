@@ -121,11 +121,11 @@ static enum outcome report(struct pair *drawn, const struct pair *texels,
     const struct counts counts = compare(drawn, texels);
     const double share = counts.pixels > 0 ? (double)counts.differing / (double)counts.pixels : 0;
 
+    printf("pixels %zu differing %zu (%.4f %%) coverage %zu texel %zu max %d\n", counts.pixels,
+           counts.differing, 100 * share, counts.coverage, counts.texel, counts.max_distance);
     if (options->output && !image_write(options->output, &drawn->of[0], error)) {
         return OUTCOME_FAILED;
     }
-    printf("pixels %zu differing %zu (%.4f %%) coverage %zu texel %zu max %d\n", counts.pixels,
-           counts.differing, 100 * share, counts.coverage, counts.texel, counts.max_distance);
     return (options->given & OPTION_MAX_PIXELS) && counts.differing > (size_t)options->max_pixels
                ? OUTCOME_CHECK_FAILED
                : OUTCOME_DONE;

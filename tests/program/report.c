@@ -2,36 +2,65 @@
 #define _POSIX_C_SOURCE 200809L
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include "tests/bench/machine.h"
-#include "tests/program/commands.h"
+#include "tests/files/file.h"
 #include "tests/files/folder.h"
 #include "tests/page/report.h"
+#include "tests/program/commands.h"
 
 static void show_progress(const char *doing)
 {
     fprintf(stderr, "report: %s\n", doing);
 }
 
+static bool write_page(const char *path, const char *page, size_t size, struct error *error)
+{
+    FILE *file = file_create(path, error);
+
+    if (!file) {
+        return false;
+    }
+    fwrite(page, 1, size, file); /* file_finish sees whether all of it arrived */
+    return file_finish(file, path, error);
+}
+
+/* Makes DIR and writes the page there; with no page, only tries whether that could be done. */
+static bool write_folder(const char *folder, const char *page, size_t size, struct error *error)
+{
+    char path[PATH_MAX];
+    const int length = snprintf(path, sizeof path, "%s/index.html", folder);
+    size_t made;
+
+    if (length < 0 || (size_t)length >= sizeof path) {
+        return error_set(error, "%s: too long", folder);
+    }
+    if (page) {
+        printf("%s, %.1f MB: open it in a browser.\n", path, (double)size / 1e6);
+    }
+    if (!folder_create(folder, &made, error)) {
+        return false;
+    }
+    const bool done =
+        page ? write_page(path, page, size, error) : file_possible(path, error);
+    if (!page || !done) {
+        folder_remove(folder, made);
+    }
+    return done;
+}
+
 static enum outcome run(const struct options *options, struct error *error)
 {
-    const char *folder = options->output;
-    char path[PATH_MAX];
     size_t size;
 
-    if (!folder_create(folder, error)) {
-        return OUTCOME_FAILED;
-    }
-    const int length = snprintf(path, sizeof path, "%s/index.html", folder);
-    if (length < 0 || (size_t)length >= sizeof path) {
-        error_set(error, "%s: too long", folder);
+    if (!write_folder(options->output, NULL, 0, error)) {
         return OUTCOME_FAILED;
     }
     machine_pin();
-    if (!report_write(path, show_progress, &size, error)) {
-        return OUTCOME_FAILED;
-    }
-    printf("%s, %.1f MB: open it in a browser.\n", path, (double)size / 1e6);
-    return OUTCOME_DONE;
+    char *page = report_make(show_progress, &size, error);
+    const bool written = page && write_folder(options->output, page, size, error);
+    free(page);
+    return written ? OUTCOME_DONE : OUTCOME_FAILED;
 }
 
 const struct command command_report = {

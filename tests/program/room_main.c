@@ -131,6 +131,7 @@ int main(int argc, char **argv)
     struct bench_choice choice = {.scene = scene_name(SCENE_ROOM), .size = {WIDTH, HEIGHT}};
     struct error error;
     struct bench bench;
+    size_t made;
 
     if (argc != 2) {
         fprintf(stderr, "usage: room FOLDER\n");
@@ -142,7 +143,7 @@ int main(int argc, char **argv)
         }
     }
     machine_pin();
-    if (!folder_create(argv[1], &error) || !bench_open(&bench, &choice, &error)) {
+    if (!folder_create(argv[1], &made, &error) || !bench_open(&bench, &choice, &error)) {
         fprintf(stderr, "room: %s\n", error.text);
         return 2;
     }
