@@ -6,6 +6,8 @@
 #include <string.h>
 #include <time.h>
 #include "tests/bench/gate.h"
+#include "tests/exact/exact.h"
+#include "tests/program/progress.h"
 
 double bench_clock(void)
 {
@@ -24,36 +26,81 @@ static bool open_sources(struct bench *bench, const struct bench_choice *choice,
             continue;
         }
         const struct options options = {.scene = name, .size = choice->size};
-        if (!source_open(&bench->sources[bench->source_count], &options, error)) {
+        struct source *source = &bench->sources[bench->source_count];
+        if (!source_open(source, &options, error)) {
             return false;
         }
         bench->source_count++;
+        if (!lookup_create(&bench->lookups[source - bench->sources], source)) {
+            return error_set(error, "bench: no memory");
+        }
     }
     return bench->source_count > 0 ||
            error_set(error, "--scene %s: no such scene (room, wall, floor, mesh or all)",
                      choice->scene);
 }
 
-static bool make_rows(struct bench *bench, const struct bench_choice *choice, struct error *error)
+static int row_total(const struct bench *bench)
 {
-    const int count = bench->source_count * choice->stage_count;
+    return bench->row_count + bench->source_count + 1;
+}
 
-    bench->rows = calloc((size_t)count + 1, sizeof *bench->rows);
-    bench->samples = calloc((size_t)count + 1, BENCH_ROUNDS_MAX * sizeof *bench->samples);
-    if (!bench->rows || !bench->samples ||
-        !image_create(&bench->frame, choice->size.width, choice->size.height)) {
-        return error_set(error, "bench: no memory");
+/* How many pixels a stage writes whose coverage is exact for vertices on its grid. */
+static size_t count_pixels(const struct source *source, int grid)
+{
+    size_t pixels = 0;
+
+    for (size_t i = 0; i < source->triangles.count; i++) {
+        struct exact_triangle triangle;
+        struct vertex v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] = exact_round(&source->triangles.items[i].v[k], grid);
+        }
+        if (!exact_setup(&triangle, v)) {
+            continue;
+        }
+        for (int y = triangle.first_row > 0 ? triangle.first_row : 0;
+             y < triangle.end_row && y < source->size.height; y++) {
+            int first, end;
+            exact_row(&triangle, y, source->size.width, &first, &end);
+            pixels += end > first ? (size_t)(end - first) : 0;
+        }
     }
-    bench->row_count = count;
-    for (int i = 0; i < count; i++) {
-        bench->rows[i].source = &bench->sources[i / choice->stage_count];
-        bench->rows[i].stage = choice->stages[i % choice->stage_count];
+    return pixels;
+}
+
+static void fill_rows(struct bench *bench, const struct bench_choice *choice)
+{
+    struct bench_row *row = bench->rows;
+
+    for (int i = 0; i < bench->row_count; i++, row++) {
+        row->source = &bench->sources[i / choice->stage_count];
+        row->stage = choice->stages[i % choice->stage_count];
+        const bool known = i % choice->stage_count > 0 && row[-1].stage->grid == row->stage->grid;
+        row->pixels = known ? row[-1].pixels : count_pixels(row->source, row->stage->grid);
     }
-    bench->rows[count].pixels = (size_t)choice->size.width * (size_t)choice->size.height;
-    for (int i = 0; i <= count; i++) {
+    for (int i = 0; i < bench->source_count; i++, row++) {
+        row->source = &bench->sources[i];
+        row->lookup = &bench->lookups[i];
+        row->pixels = row->lookup->pixels;
+    }
+    row->pixels = (size_t)bench->size.width * (size_t)bench->size.height;
+    for (int i = 0; i < row_total(bench); i++) {
         bench->rows[i].ns = bench->samples + (size_t)i * BENCH_ROUNDS_MAX;
         bench->rows[i].ns_min = bench->rows[i].ns_median = NAN;
     }
+}
+
+static bool make_rows(struct bench *bench, const struct bench_choice *choice, struct error *error)
+{
+    bench->row_count = bench->source_count * choice->stage_count;
+    bench->rows = calloc((size_t)row_total(bench), sizeof *bench->rows);
+    bench->samples = calloc((size_t)row_total(bench), BENCH_ROUNDS_MAX * sizeof *bench->samples);
+    if (!bench->rows || !bench->samples ||
+        !image_create(&bench->frame, bench->size.width, bench->size.height)) {
+        return error_set(error, "bench: no memory");
+    }
+    fill_rows(bench, choice);
     return true;
 }
 
@@ -67,24 +114,24 @@ bool bench_open(struct bench *bench, const struct bench_choice *choice, struct e
     return false;
 }
 
-bool bench_judge(struct bench *bench, bench_progress *progress, struct error *error)
+bool bench_judge(struct bench *bench, double deadline, struct error *error)
 {
     struct meter meter = {0};
     struct gate gate = {0};
     bool measured = meter_create(&meter, bench->size.width, bench->size.height) &&
                     gate_create(&gate, &meter);
 
-    for (int i = 0; measured && i < bench->row_count; i++) {
+    for (int i = 0; measured && i < bench->row_count && bench_clock() < deadline; i++) {
         struct bench_row *row = &bench->rows[i];
-        if (progress) {
-            progress("accuracy", (double)i / bench->row_count);
-        }
+        progress("bench: accuracy", (double)i / bench->row_count);
         measured = accuracy_frame(&meter, &row->source->triangles, row->stage, 0, &row->accuracy);
         if (measured) {
             row->wrong = !gate_holds(&gate, row->source, row->stage, row->accuracy.position_rms,
                                      &row->pixels, &row->why);
+            row->judged = true;
         }
     }
+    progress(NULL, 0);
     gate_destroy(&gate);
     meter_destroy(&meter);
     return measured || error_set(error, "bench: no memory");
@@ -96,6 +143,8 @@ static double time_row(struct bench *bench, const struct bench_row *row)
 
     if (row->stage) {
         source_draw(row->source, row->stage->draw, NULL, &bench->frame);
+    } else if (row->lookup) {
+        lookup_draw(row->lookup, &bench->frame);
     } else {
         memset(bench->frame.pixels, 0, row->pixels * sizeof *bench->frame.pixels);
     }
@@ -106,7 +155,7 @@ static double time_row(struct bench *bench, const struct bench_row *row)
  * stage, always the same, would pay for the others' cold caches. False where the deadline cuts. */
 static bool take_turns(struct bench *bench, int round, double deadline)
 {
-    const int count = bench->row_count + 1;
+    const int count = row_total(bench);
     const struct source *warm = NULL;
 
     for (int i = 0; i < count; i++) {
@@ -138,7 +187,7 @@ static void sum_up(struct bench_row *row, int rounds)
     row->ns_median = (row->ns[(rounds - 1) / 2] + row->ns[rounds / 2]) / 2;
 }
 
-void bench_time(struct bench *bench, double deadline, bench_progress *progress)
+void bench_time(struct bench *bench, double deadline)
 {
     const double start = bench_clock();
 
@@ -148,12 +197,11 @@ void bench_time(struct bench *bench, double deadline, bench_progress *progress)
         if (!take_turns(bench, bench->rounds, deadline)) {
             break;
         }
-        if (progress) {
-            progress("rounds", fmax((double)bench->rounds / BENCH_ROUNDS_MAX,
-                                    (bench_clock() - start) / (deadline - start)));
-        }
+        progress("bench: rounds", fmax((double)bench->rounds / BENCH_ROUNDS_MAX,
+                                       (bench_clock() - start) / (deadline - start)));
     }
-    for (int i = 0; i <= bench->row_count; i++) {
+    progress(NULL, 0);
+    for (int i = 0; i < row_total(bench); i++) {
         if (!bench->rows[i].wrong) {
             sum_up(&bench->rows[i], bench->rounds);
         }
@@ -183,6 +231,16 @@ const struct bench_row *bench_find(const struct bench *bench, const struct bench
     return NULL;
 }
 
+const struct bench_row *bench_lookup(const struct bench *bench, const struct source *source)
+{
+    return &bench->rows[bench->row_count + (source - bench->sources)];
+}
+
+const struct bench_row *bench_memset(const struct bench *bench)
+{
+    return &bench->rows[row_total(bench) - 1];
+}
+
 double bench_ns_per_pixel(const struct bench_row *row, double ns)
 {
     return row->pixels > 0 ? ns / (double)row->pixels : NAN;
@@ -190,13 +248,14 @@ double bench_ns_per_pixel(const struct bench_row *row, double ns)
 
 double bench_ns_per_triangle(const struct bench_row *row, double ns)
 {
-    return row->accuracy.triangles > 0 ? ns / (double)row->accuracy.triangles : NAN;
+    return row->source->triangles.count > 0 ? ns / (double)row->source->triangles.count : NAN;
 }
 
 void bench_close(struct bench *bench)
 {
     for (int i = 0; i < bench->source_count; i++) {
         source_close(&bench->sources[i]);
+        lookup_destroy(&bench->lookups[i]);
     }
     image_destroy(&bench->frame);
     free(bench->rows);

@@ -1,11 +1,12 @@
 /* How long stages take to draw scenes, beside how far they are from the exact answer.
  * Timed are the draw calls of one frame's triangles, nothing else. Stages take turns in each round,
- * a memset of the frame among them, so that whatever else the machine does hits all alike: ratios
- * within one run are the result, times are not. */
+ * a memset of the frame and each scene's lookup (tests/bench/lookup.h) among them, so that whatever
+ * else the machine does hits all alike: ratios within one run are the result, times are not. */
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
 
 #include <stdio.h>
+#include "tests/bench/lookup.h"
 #include "tests/exact/accuracy.h"
 
 #define BENCH_STAGES_MAX 20
@@ -18,12 +19,15 @@ struct bench_choice {
     struct size size;
 };
 
-/* One stage on one scene. */
+/* One stage on one scene; or, without a stage, the scene's lookup; or, without a scene too, memset
+ * of the frame. */
 struct bench_row {
-    const struct stage *stage;   /* NULL: memset of the frame */
-    const struct source *source; /* NULL with it */
+    const struct stage *stage;
+    const struct source *source;
+    const struct lookup *lookup;
     struct accuracy accuracy;    /* against the vertices as given; without jitter */
-    size_t pixels;               /* the stage writes, those included that it paints over later */
+    size_t pixels;               /* written, those included that are painted over later */
+    bool judged;                 /* accuracy is measured */
     bool wrong;                  /* it failed its gate: `why`; it is not timed then */
     struct error why;
     double *ns;                /* of each round */
@@ -33,27 +37,26 @@ struct bench_row {
 struct bench {
     struct size size;
     struct source sources[SCENE_COUNT];
+    struct lookup lookups[SCENE_COUNT]; /* of the sources */
     int source_count;
     struct image frame;
-    struct bench_row *rows; /* scene after scene, stage after stage; rows[row_count]: memset */
-    int row_count;
+    struct bench_row *rows; /* scene after scene, stage after stage; then lookups, and memset */
+    int row_count;          /* of stages' rows */
     double *samples; /* what the rows' `ns` point into */
     int rounds;
 };
 
-/* Called now and then with what is being done, and how much of it is, 0 to 1. */
-typedef void bench_progress(const char *doing, double share);
-
 /* Builds the scenes. On failure, no memory or no such scene, there is nothing to close. */
 bool bench_open(struct bench *bench, const struct bench_choice *choice, struct error *error);
 
-/* Measures accuracy and holds each row's frame to its gate (tests/bench/gate.h).
- * False when there is no memory. `progress` may be NULL, here and below. */
-bool bench_judge(struct bench *bench, bench_progress *progress, struct error *error);
+/* Measures accuracy and holds each row's frame to its gate (tests/bench/gate.h), until
+ * bench_clock() reaches the deadline: rows after that are not judged. False when there is no
+ * memory. */
+bool bench_judge(struct bench *bench, double deadline, struct error *error);
 
-/* Runs rounds until bench_clock() reaches the deadline, at least one and at most
- * BENCH_ROUNDS_MAX, after one that only warms up. A round that the deadline cuts does not count. */
-void bench_time(struct bench *bench, double deadline, bench_progress *progress);
+/* Runs rounds until the deadline, at least one and at most BENCH_ROUNDS_MAX, after one that only
+ * warms up. A round that the deadline cuts does not count. */
+void bench_time(struct bench *bench, double deadline);
 
 /* Did every row pass its gate? */
 bool bench_all_right(const struct bench *bench);
@@ -62,8 +65,11 @@ bool bench_all_right(const struct bench *bench);
 const struct bench_row *bench_find(const struct bench *bench, const struct bench_row *row,
                                    const char *stage_digit);
 
-/* A row's time by what it drew, in ns; NAN where it was not timed or drew nothing. For memset it is
- * the frame's pixels that count. */
+const struct bench_row *bench_lookup(const struct bench *bench, const struct source *source);
+const struct bench_row *bench_memset(const struct bench *bench);
+
+/* A row's time by what it drew, in ns; NAN where it was not timed or drew nothing. For memset all
+ * the frame's pixels count, for a lookup those that are seen. */
 double bench_ns_per_pixel(const struct bench_row *row, double ns);
 double bench_ns_per_triangle(const struct bench_row *row, double ns);
 

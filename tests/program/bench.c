@@ -1,10 +1,7 @@
 /* texmap bench: speed beside accuracy; a table for people, and CSV. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 #include "tests/bench/bench.h"
 #include "tests/bench/machine.h"
 #include "tests/files/file.h"
@@ -13,12 +10,31 @@
 #define DEFAULT_SECONDS 60
 #define DEFAULT_WIDTH 1024
 #define DEFAULT_HEIGHT 768
+#define MANY_TRIANGLES 1000 /* from here on the time of one says something */
+#define FEW_ROUNDS 5
+#define NOISY 1.2 /* median over minimum, in more rows than ... */
+#define NOISY_SHARE 0.25
+
+/* All of them in the order of use: the stages, the coda, then stage 4's other segments. */
+static bool choose_all(struct bench_choice *choice, struct error *error)
+{
+    for (int segments = 0; segments < 2; segments++) {
+        for (const struct stage *stage = stages; stage->name; stage++) {
+            if ((strncmp(stage->name, "segment_", strlen("segment_")) == 0) != segments) {
+                continue;
+            }
+            if (choice->stage_count == BENCH_STAGES_MAX) {
+                return error_set(error, "--stage all: more than %d stages", BENCH_STAGES_MAX);
+            }
+            choice->stages[choice->stage_count++] = stage;
+        }
+    }
+    return true;
+}
 
 static bool choose(struct bench_choice *choice, const struct options *options,
                    struct error *error)
 {
-    const bool all = !options->stage || strcmp(options->stage, "all") == 0;
-
     *choice = (struct bench_choice){.size = {DEFAULT_WIDTH, DEFAULT_HEIGHT}};
     if (options->given & OPTION_SIZE) {
         choice->size = options->size;
@@ -26,101 +42,125 @@ static bool choose(struct bench_choice *choice, const struct options *options,
     if (options->scene && strcmp(options->scene, "all") != 0) {
         choice->scene = options->scene;
     }
-    if (!all) {
-        choice->stages[choice->stage_count++] = stage_parse("--stage", options->stage, error);
-        return choice->stages[0];
+    if (!options->stage || strcmp(options->stage, "all") == 0) {
+        return choose_all(choice, error);
     }
-    for (const struct stage *stage = stages; stage->name; stage++) {
-        if (choice->stage_count == BENCH_STAGES_MAX) {
-            return error_set(error, "--stage all: more than %d stages", BENCH_STAGES_MAX);
-        }
-        choice->stages[choice->stage_count++] = stage;
-    }
-    return true;
+    choice->stages[choice->stage_count++] = stage_parse("--stage", options->stage, error);
+    return choice->stages[0];
 }
 
-/* On a terminal one line, renewed at every per cent. */
-static void show_progress(const char *doing, double share)
-{
-    static int shown = -1;
-    const int percent = (int)(100 * fmax(0, fmin(share, 1)));
-
-    if (percent != shown && isatty(STDERR_FILENO)) {
-        fprintf(stderr, "\rbench: %s %3d %% ", doing, percent);
-        shown = percent;
-    }
-}
-
-static void clear_progress(void)
-{
-    if (isatty(STDERR_FILENO)) {
-        fprintf(stderr, "\r%30s\r", "");
-    }
-}
-
-/* A number, or a dash where there is none. */
+/* A number, with fewer decimals where it is large, or a dash where there is none. */
 static void print_cell(int width, int decimals, double number)
 {
+    char text[32] = "-";
+
     if (isfinite(number)) {
-        printf(" %*.*f", width, decimals, number);
-    } else {
-        printf(" %*s", width, "-");
+        while (snprintf(text, sizeof text, "%.*f", decimals, number) >= width && decimals > 0) {
+            decimals--;
+        }
     }
+    printf("%*s", width, text);
+}
+
+static double lookup_ns(const struct bench *bench, const struct bench_row *row)
+{
+    const struct bench_row *lookup = bench_lookup(bench, row->source);
+
+    return bench_ns_per_pixel(lookup, lookup->ns_min);
+}
+
+static void print_accuracy(const struct accuracy *a)
+{
+    char step[16];
+
+    if (a->position_rms < a->ruler_step) {
+        snprintf(step, sizeof step, "< 1/%.0f", 1 / a->ruler_step);
+        printf("%8.3f%9s", a->wrong_texel_pct, step);
+    } else {
+        printf("%8.3f%9.4f", a->wrong_texel_pct, a->position_rms);
+    }
+    printf("%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
 }
 
 static void print_row(const struct bench *bench, const struct bench_row *row)
 {
     const struct bench_row *first = bench_find(bench, row, "1");
-    const struct bench_row *cleared = &bench->rows[bench->row_count];
-    const double ns = bench_ns_per_pixel(row, row->ns_min);
-    const struct accuracy *a = &row->accuracy;
 
-    printf("%-17s", row->stage->name);
+    printf("%-16s", row->stage->name);
     if (row->wrong) {
-        printf(" WRONG, not timed: %s\n", row->why.text);
+        printf(" WRONG, not timed:\n    %s\n", row->why.text);
         return;
     }
-    print_cell(8, 3, ns);
-    print_cell(8, 3, bench_ns_per_pixel(row, row->ns_median));
-    print_cell(11, 1, bench_ns_per_triangle(row, row->ns_min));
-    print_cell(8, 2, ns / bench_ns_per_pixel(cleared, cleared->ns_min));
-    if (first) {
-        print_cell(8, 2, first->ns_min / row->ns_min);
+    print_cell(7, 3, bench_ns_per_pixel(row, row->ns_min));
+    print_cell(7, 3, bench_ns_per_pixel(row, row->ns_median));
+    if (row->source->triangles.count >= MANY_TRIANGLES) {
+        print_cell(6, 0, bench_ns_per_triangle(row, row->ns_min));
     }
-    printf(" %8.3f %c%9.5f %7zu %7zu\n", a->wrong_texel_pct,
-           a->position_rms < a->ruler_step ? '<' : ' ', a->position_rms, a->coverage_missing,
-           a->coverage_extra);
+    print_cell(8, 2, first ? first->ns_min / row->ns_min : NAN);
+    print_cell(7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
+    if (row->judged) {
+        print_accuracy(&row->accuracy);
+    } else {
+        printf("%8s%9s%6s%6s\n", "-", "-", "-", "-");
+    }
 }
 
 static void print_heading(const struct bench *bench, const struct bench_row *row)
 {
-    const bool against_first = bench_find(bench, row, "1");
+    const size_t triangles = row->source->triangles.count;
+    const bool many = triangles >= MANY_TRIANGLES;
 
-    printf("\n%s: %zu triangles, the ruler's step is %.5f texel\n", row->source->name,
-           row->accuracy.triangles, row->accuracy.ruler_step);
-    printf("%-17s %8s %8s %11s %8s%s %8s %10s %7s %7s\n", "", "ns/pixel", "ns/pixel", "ns/triangle",
-           "time,", against_first ? "   speed," : "", "wrong", "position", "", "");
-    printf("%-17s %8s %8s %11s %8s%s %8s %10s %7s %7s\n", "stage", "min", "median", "min",
-           "memset=1", against_first ? " stage1=1" : "", "texel %", "rms", "missing", "extra");
+    printf("\n%s: %zu triangles; lookup %.3f ns per pixel\n", row->source->name, triangles,
+           lookup_ns(bench, row));
+    printf("%-16s%14s%s%8s%7s%8s%9s%12s\n", "", "ns per pixel", many ? "  tri." : "", "speed,",
+           "time,", "wrong", "position", "coverage");
+    printf("%-16s%7s%7s%s%8s%7s%8s%9s%6s%6s\n", "stage", "min", "median", many ? "   min" : "",
+           "stage 1", "lookup", "texel %", "rms", "miss", "extra");
+}
+
+/* What a reader should know before trusting the times. */
+static void print_notes(const struct bench *bench)
+{
+    int timed = 0, noisy = 0, unjudged = 0;
+
+    for (int i = 0; i < bench->row_count; i++) {
+        const struct bench_row *row = &bench->rows[i];
+        timed += isfinite(row->ns_min);
+        noisy += row->ns_median > NOISY * row->ns_min;
+        unjudged += !row->judged;
+    }
+    if (unjudged > 0) {
+        printf("\nNote: no time was left to measure accuracy in %d of %d rows.\n"
+               "Give more --seconds.\n", unjudged, bench->row_count);
+    }
+    if (bench->rounds < FEW_ROUNDS) {
+        printf("\nNote: only %d round%s: times may be far off. Give more --seconds.\n",
+               bench->rounds, bench->rounds == 1 ? "" : "s");
+    }
+    if (noisy > NOISY_SHARE * timed) {
+        printf("\nNote: the machine was noisy: in %d of %d rows the median is over %.1f times the\n"
+               "minimum. Close other programs, then run it again with more --seconds.\n",
+               noisy, timed, NOISY);
+    }
 }
 
 static void print_table(const struct bench *bench)
 {
-    const struct bench_row *cleared = &bench->rows[bench->row_count];
+    const struct bench_row *cleared = bench_memset(bench);
 
     machine_print(stdout, "");
-    printf("rounds: %d\n\n", bench->rounds);
-    printf("Frames of %dx%d. memset of the frame: %.3f ns/pixel min, %.3f median.\n",
-           bench->size.width, bench->size.height, bench_ns_per_pixel(cleared, cleared->ns_min),
-           bench_ns_per_pixel(cleared, cleared->ns_median));
-    printf("Pixels are those that a stage writes. Positions in texels; < is below the ruler's "
-           "step.\n");
+    printf("frames: %dx%d, %d rounds\n\n", bench->size.width, bench->size.height, bench->rounds);
+    printf("Times are per pixel that a stage writes. Speed: stage 1 = 1. Time: lookup = 1,\n"
+           "that is copying texels from places worked out beforehand. memset: %.3f ns.\n"
+           "Positions in texels; < 1/64: below the step of measurement. Coverage: pixels.\n",
+           bench_ns_per_pixel(cleared, cleared->ns_min));
     for (int i = 0; i < bench->row_count; i++) {
         if (i == 0 || bench->rows[i].source != bench->rows[i - 1].source) {
             print_heading(bench, &bench->rows[i]);
         }
         print_row(bench, &bench->rows[i]);
     }
+    print_notes(bench);
 }
 
 static enum outcome run(const struct options *options, struct error *error)
@@ -137,9 +177,8 @@ static enum outcome run(const struct options *options, struct error *error)
         return OUTCOME_FAILED;
     }
     enum outcome outcome = OUTCOME_FAILED;
-    if (bench_judge(&bench, show_progress, error)) {
-        bench_time(&bench, start + seconds, show_progress);
-        clear_progress();
+    if (bench_judge(&bench, start + seconds, error)) {
+        bench_time(&bench, start + seconds);
         print_table(&bench);
         if (!options->csv || bench_write_csv(options->csv, &bench, error)) {
             outcome = bench_all_right(&bench) ? OUTCOME_DONE : OUTCOME_CHECK_FAILED;
@@ -151,8 +190,9 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_bench = {
     "bench", "[--stage S|all] [--scene NAME|all] [--size WxH] [--csv FILE] [--seconds N]",
-    "Measures how long stages take to draw a frame (default: 1024x768), beside their accuracy.\n"
+    "Measures how long stages take to draw a frame (default: 1024x768), beside their accuracy,\n"
+    "and beside the lookup: copying texels from places worked out beforehand.\n"
     "Stages take turns in each round; of all rounds the minimum and the median count. A stage\n"
     "whose frame is wrong is not timed (exit status 1). all, the default: every stage and segment\n"
-    "length. However few the seconds, accuracy is measured and one round is run.",
+    "length. Accuracy is measured first; however few the seconds, one round is run.",
     OPTION_STAGE | OPTION_SCENE | OPTION_SIZE | OPTION_CSV | OPTION_SECONDS, 0, run};

@@ -1,0 +1,98 @@
+#include "tests/bench/lookup.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "tests/exact/exact.h"
+
+#define TEXELS ((size_t)TEXTURE_SIDE * TEXTURE_SIDE) /* of one texture */
+
+/* Draws the scene with textures whose texels are their own indices. */
+static bool draw_indices(struct image *index, const struct source *source)
+{
+    struct image textures[TEXTURE_COUNT] = {{0}};
+    bool made = true;
+
+    for (uint32_t id = 0; made && id < TEXTURE_COUNT; id++) {
+        made = image_create(&textures[id], TEXTURE_SIDE, TEXTURE_SIDE);
+        for (uint32_t i = 0; made && i < TEXELS; i++) {
+            textures[id].pixels[i] = 1 + id * (uint32_t)TEXELS + i;
+        }
+    }
+    for (size_t i = 0; made && i < source->triangles.count; i++) {
+        const struct triangle *triangle = &source->triangles.items[i];
+        exact_draw_triangle(index, &textures[triangle->texture], triangle->v);
+    }
+    for (int id = 0; id < TEXTURE_COUNT; id++) {
+        image_destroy(&textures[id]);
+    }
+    return made;
+}
+
+/* Finds the runs; with `runs` NULL only counts them. */
+static size_t find_runs(const struct image *index, struct lookup_run *runs)
+{
+    const size_t pixels = (size_t)index->width * (size_t)index->height;
+    size_t count = 0;
+
+    for (size_t i = 0; i < pixels; i++) {
+        if (index->pixels[i] == 0) {
+            continue;
+        }
+        const size_t begin = i;
+        while (i < pixels && index->pixels[i] != 0) {
+            i++;
+        }
+        if (runs) {
+            runs[count] = (struct lookup_run){begin, i};
+        }
+        count++;
+    }
+    return count;
+}
+
+bool lookup_create(struct lookup *lookup, const struct source *source)
+{
+    *lookup = (struct lookup){.texels = malloc((1 + TEXTURE_COUNT * TEXELS) * sizeof(uint32_t))};
+    if (!lookup->texels ||
+        !image_create(&lookup->index, source->size.width, source->size.height) ||
+        !draw_indices(&lookup->index, source)) {
+        lookup_destroy(lookup);
+        return false;
+    }
+    lookup->texels[0] = 0;
+    for (size_t id = 0; id < TEXTURE_COUNT; id++) {
+        memcpy(lookup->texels + 1 + id * TEXELS, source->textures[id].pixels,
+               TEXELS * sizeof(uint32_t));
+    }
+    lookup->run_count = find_runs(&lookup->index, NULL);
+    lookup->runs = calloc(lookup->run_count + 1, sizeof *lookup->runs);
+    if (!lookup->runs) {
+        lookup_destroy(lookup);
+        return false;
+    }
+    find_runs(&lookup->index, lookup->runs);
+    for (size_t i = 0; i < lookup->run_count; i++) {
+        lookup->pixels += lookup->runs[i].end - lookup->runs[i].begin;
+    }
+    return true;
+}
+
+void lookup_destroy(struct lookup *lookup)
+{
+    image_destroy(&lookup->index);
+    free(lookup->texels);
+    free(lookup->runs);
+    *lookup = (struct lookup){0};
+}
+
+void lookup_draw(const struct lookup *lookup, struct image *frame)
+{
+    const uint32_t *index = lookup->index.pixels, *texels = lookup->texels;
+
+    for (size_t i = 0; i < lookup->run_count; i++) {
+        const size_t end = lookup->runs[i].end;
+        for (size_t pixel = lookup->runs[i].begin; pixel < end; pixel++) {
+            frame->pixels[pixel] = texels[index[pixel]];
+        }
+    }
+}
