@@ -1,16 +1,14 @@
 /* texmap accuracy: holds stages against the exact answer; a table for people, and CSV. */
-#define _POSIX_C_SOURCE 200809L
-
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 #include "tests/files/file.h"
 #include "tests/exact/accuracy.h"
 #include "tests/program/commands.h"
+#include "tests/program/progress.h"
+#include "tests/program/table.h"
 
 #define STAGES_MAX 16
-#define QUIET_SECONDS 2 /* what takes longer shows how far it is */
 
 /* The stages that the command line names, in the order of stages[]. */
 struct choice {
@@ -33,54 +31,45 @@ static bool choose(struct choice *choice, const char *name, struct error *error)
     return true;
 }
 
-/* On a terminal one line, renewed every second and erased at the end; elsewhere a single line. */
 static void show_progress(int done, int frames)
 {
-    static time_t start, shown;
-    const time_t now = time(NULL);
-
-    if (done == 1) {
-        start = shown = now;
-    }
-    if (now - start >= QUIET_SECONDS && now > shown && (shown == start || isatty(STDERR_FILENO))) {
-        const long left = (long)(now - start) * (frames - done) / done;
-        fprintf(stderr, "%saccuracy: frame %d of %d, about %ld s left%s",
-                isatty(STDERR_FILENO) ? "\r" : "", done, frames, left,
-                isatty(STDERR_FILENO) ? "   " : "\n");
-        shown = now;
-    }
-    if (done == frames && shown > start && isatty(STDERR_FILENO)) {
-        fprintf(stderr, "\r%60s\r", "");
-    }
+    progress("accuracy: jitter", (double)done / frames);
 }
 
-/* A distance in texels; one below the ruler's step is marked. */
-static void print_texels(double texels, double ruler_step)
+static void print_row(const struct stage *stage, const struct accuracy *a)
 {
-    printf(" %c%8.5f", texels < ruler_step ? '<' : ' ', texels);
+    const bool any = a->pixels > 0; /* or else there is nothing to be right or wrong */
+
+    printf("%-16s", stage->name);
+    print_cell(8, 3, any ? a->wrong_texel_pct : NAN);
+    print_cell(7, 3, any ? a->bias_u : NAN);
+    print_cell(7, 3, any ? a->bias_v : NAN);
+    print_cell(5, 0, any ? a->max_texel : NAN);
+    print_texels(8, any ? a->position_rms : NAN, a->ruler_step);
+    print_texels(8, any ? a->position_max : NAN, a->ruler_step);
+    printf("%6zu%6zu", a->coverage_missing, a->coverage_extra);
+    print_texels(8, any ? a->jitter_rms : NAN, a->ruler_step);
+    printf("\n");
 }
 
 static void print_table(const struct source *source, const struct choice *choice,
                         const struct accuracy accuracy[])
 {
-    printf("%s, %dx%d, %zu triangles. Distances in texels; < is below the ruler's step, %.5f.\n",
-           source->name, source->size.width, source->size.height, accuracy[0].triangles,
-           accuracy[0].ruler_step);
-    printf("Seen through the ruler, a perfect mapper has a jitter of %.5f.\n\n",
-           accuracy[0].jitter_floor);
-    printf("%-17s %9s %8s %7s %7s %5s %9s %9s %7s %7s %9s %9s\n", "", "", "wrong", "bias", "bias",
-           "max", "position", "position", "", "", "jitter", "on");
-    printf("%-17s %9s %8s %7s %7s %5s %9s %9s %7s %7s %9s %9s\n", "stage", "pixels", "texel %", "u",
-           "v", "texel", "rms", "max", "missing", "extra", "rms", "border %");
+    printf("%s, %dx%d, %zu triangle%s. Distances in texels, coverage in pixels.\n", source->name,
+           source->size.width, source->size.height, accuracy[0].triangles,
+           accuracy[0].triangles == 1 ? "" : "s");
+    printf("< 1/%.0f: below the step of measurement. A perfect mapper's jitter: %.4f.\n\n",
+           1 / accuracy[0].ruler_step, accuracy[0].jitter_floor);
+    printf("%-16s%8s%14s%5s%16s%12s%8s\n", "", "wrong", "bias", "max", "position", "coverage",
+           "jitter");
+    printf("%-16s%8s%7s%7s%5s%8s%8s%6s%6s%8s\n", "stage", "texel %", "u", "v", "", "rms", "max",
+           "miss", "extra", "rms");
     for (int i = 0; i < choice->count; i++) {
-        const struct accuracy *a = &accuracy[i];
-        printf("%-17s %9zu %8.4f %7.4f %7.4f %5d", choice->stages[i]->name, a->pixels,
-               a->wrong_texel_pct, a->bias_u, a->bias_v, a->max_texel);
-        print_texels(a->position_rms, a->ruler_step);
-        print_texels(a->position_max, a->ruler_step);
-        printf(" %7zu %7zu", a->coverage_missing, a->coverage_extra);
-        print_texels(a->jitter_rms, a->ruler_step);
-        printf(" %9.4f\n", a->border_pct);
+        print_row(choice->stages[i], &accuracy[i]);
+    }
+    if (accuracy[0].border_pct > 0) {
+        printf("\n%.4f %% of the pixels lie on a border, where two texels are right.\n",
+               accuracy[0].border_pct);
     }
 }
 
@@ -133,11 +122,11 @@ static enum outcome run(const struct options *options, struct error *error)
 const struct command command_accuracy = {
     "accuracy", "--stage S|all SOURCE [--csv FILE]",
     "Measures how far stages are from the exact answer. The columns, distances in texels:\n"
-    "  wrong texel %   pixels whose texel is not the exact answer's\n"
-    "  bias u, v       mean of the texel's index minus the right one's\n"
-    "  max texel       largest distance of a texel from the right one, along u or v\n"
-    "  position        how far u and v are from the exact answer's: RMS, and the largest\n"
-    "  missing, extra  pixels of a surface that a stage does not show; that it should not\n"
-    "  jitter          change of the position error as the scene moves by 1/64 pixel a frame, RMS\n"
-    "  on border %     pixels within 1e-6 texel of a border, where two texels are right",
+    "  wrong texel %  pixels whose texel is not the exact answer's\n"
+    "  bias u, v      mean of the texel's index minus the right one's\n"
+    "  max            largest distance of a texel from the right one, along u or v\n"
+    "  position       how far u and v are from the exact answer's: RMS, and the largest\n"
+    "  miss, extra    pixels of a surface that a stage does not show; that it should not\n"
+    "  jitter         change of the position error as the scene moves by 1/64 pixel a frame, RMS\n"
+    "A pixel within 1e-6 texel of a border has two right texels.",
     OPTION_STAGE | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE, run};

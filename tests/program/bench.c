@@ -6,6 +6,7 @@
 #include "tests/bench/machine.h"
 #include "tests/files/file.h"
 #include "tests/program/commands.h"
+#include "tests/program/table.h"
 
 #define DEFAULT_SECONDS 60
 #define DEFAULT_WIDTH 1024
@@ -49,19 +50,6 @@ static bool choose(struct bench_choice *choice, const struct options *options,
     return choice->stages[0];
 }
 
-/* A number, with fewer decimals where it is large, or a dash where there is none. */
-static void print_cell(int width, int decimals, double number)
-{
-    char text[32] = "-";
-
-    if (isfinite(number)) {
-        while (snprintf(text, sizeof text, "%.*f", decimals, number) >= width && decimals > 0) {
-            decimals--;
-        }
-    }
-    printf("%*s", width, text);
-}
-
 static double lookup_ns(const struct bench *bench, const struct bench_row *row)
 {
     const struct bench_row *lookup = bench_lookup(bench, row->source);
@@ -69,22 +57,10 @@ static double lookup_ns(const struct bench *bench, const struct bench_row *row)
     return bench_ns_per_pixel(lookup, lookup->ns_min);
 }
 
-static void print_accuracy(const struct accuracy *a)
-{
-    char step[16];
-
-    if (a->position_rms < a->ruler_step) {
-        snprintf(step, sizeof step, "< 1/%.0f", 1 / a->ruler_step);
-        printf("%8.3f%9s", a->wrong_texel_pct, step);
-    } else {
-        printf("%8.3f%9.4f", a->wrong_texel_pct, a->position_rms);
-    }
-    printf("%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
-}
-
 static void print_row(const struct bench *bench, const struct bench_row *row)
 {
     const struct bench_row *first = bench_find(bench, row, "1");
+    const struct accuracy *a = &row->accuracy;
 
     printf("%-16s", row->stage->name);
     if (row->wrong) {
@@ -99,7 +75,9 @@ static void print_row(const struct bench *bench, const struct bench_row *row)
     print_cell(8, 2, first ? first->ns_min / row->ns_min : NAN);
     print_cell(7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
     if (row->judged) {
-        print_accuracy(&row->accuracy);
+        print_cell(8, 3, a->wrong_texel_pct);
+        print_texels(9, a->position_rms, a->ruler_step);
+        printf("%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
     } else {
         printf("%8s%9s%6s%6s\n", "-", "-", "-", "-");
     }
