@@ -1,141 +1,216 @@
 # texmap: perspective texture mapping in five stages. `make help` lists the targets.
-# Needs a C11 compiler, make and libc. CC and CFLAGS may be given on the command line.
+# Needs gcc or clang, make and libc. V=1 shows the commands, BUILD=FOLDER builds elsewhere; CC and
+# CFLAGS may be given too.
 
 MAKEFLAGS += -r # no built-in rules: all that are used stand below
 BUILD = build
 CC = cc
+AR = ar
 CFLAGS = -O2
 # Kept whatever CFLAGS say: without them another compiler or processor draws other bits.
-KEPT = -std=c11 -ffp-contract=off -Wall -Wextra -Wpedantic -I. -MMD -MP
+KEPT = -std=c11 -ffp-contract=off -Wall -Wextra -Wpedantic -I.
 LDLIBS = -lm
 
-STAGES = stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide
+STAGES = $(filter-out stage5_asm,$(wildcard stage*_*))
 # Stage 5 is for 64-bit x86 and ELF: elsewhere it is left out, and every command says so.
 MACHINE := $(shell $(CC) $(CFLAGS) -E -dM -x c /dev/null 2>/dev/null)
 ifeq ($(words $(filter __x86_64__ __ELF__ __LP64__,$(MACHINE))),3)
 STAGES += stage5_asm
 KEPT += -DTEXMAP_STAGE5
-ASM = $(patsubst stage5_asm/%.S,%,$(wildcard stage5_asm/*.S))
 endif
 SEGMENTS = 4 8 32 64 span
 TRACED = 1 2 3 4
 
-# Programs of their own, by their main file; the folders that texmap is made of; what only the tests use.
+# Two libraries: what the program is made of, and what only tests use. A program is its main file,
+# tests/FOLDER/NAME_main.c for build/NAME, linked with them.
 MAINS = $(wildcard tests/*/*_main.c)
-PROGRAM_OF = $(BUILD)/$(patsubst %_main.c,%,$(notdir $(1)))
-SHARED_SOURCES = $(filter-out $(MAINS) tests/program/texmap.c, \
-	$(foreach f,program exact files bench chart trace page stability lessons,$(wildcard tests/$(f)/*.c)))
-TEST_SOURCES = $(filter-out $(MAINS),$(wildcard tests/unit/*.c tests/asm/*.c tests/judge/*.c))
-
-PROMISES = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/judge/*.c) tests/unit/check.c)
-
-STAGE_OBJECTS = $(STAGES:%=$(BUILD)/%/rasterize.o) $(ASM:%=$(BUILD)/stage5_asm/%.o) \
-	$(if $(filter span_exact_avx2,$(ASM)),$(BUILD)/stage5_asm/coda.o) \
+OBJECTS_OF = $(patsubst %,$(BUILD)/%.o,$(filter-out $(MAINS:.c=),$(patsubst %.c,%,$(1))))
+FOLDERS = common $(STAGES) \
+	$(addprefix tests/,program exact judge files bench chart trace stability page)
+LIBRARY = $(call OBJECTS_OF,$(wildcard $(FOLDERS:%=%/*.c) $(STAGES:%=%/*.S))) $(BUILD)/page.o \
 	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o)
-# The page of `texmap report`: its files, as one C file.
-PAGE_FILES = $(sort $(wildcard tests/page/*.html tests/page/*.css tests/page/*.js))
-SHARED = $(BUILD)/page.o $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c) $(SHARED_SOURCES)) $(STAGE_OBJECTS)
-TEST_OBJECTS = $(TEST_SOURCES:%.c=$(BUILD)/%.o) \
-	$(if $(ASM),$(patsubst %.S,$(BUILD)/%.o,$(wildcard tests/asm/*.S)))
+TESTS = $(call OBJECTS_OF,$(wildcard tests/unit/*.c tests/asm/*.c \
+	$(if $(filter stage5_asm,$(STAGES)),tests/asm/*.S)))
+EXERCISES = $(call OBJECTS_OF,$(wildcard tests/lessons/exercises/*.c))
+LIBRARIES = $(BUILD)/tests.a $(BUILD)/texmap.a
+PROGRAMS = $(patsubst %_main.c,$(BUILD)/%,$(notdir $(MAINS)))
 
-.PHONY: all test test-mistakes test-trace golden bench chart lesson clean help FORCE
+say = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '$(1)  $(@:$(BUILD)/%=%)' &&)
+compile = @mkdir -p $(@D)$(newline)$(call say,CC) $(CC) $(CFLAGS) $(KEPT) -MMD -MP $(1) -c -o $@ $<
+define newline
 
-# The main job: the room through all five stages.
-all: $(BUILD)/texmap $(BUILD)/room
-	@$(BUILD)/room $(BUILD)/out
 
-test: $(BUILD)/texmap $(BUILD)/test test-mistakes test-trace
+endef
+
+.PHONY: all test bench chart lesson exercise report golden readme pictures stability debug clean \
+	help test-page test-exercises test-long test-matrix test-contract test-aarch64 test-valgrind \
+	sanitize torture fuzz FORCE
+.SECONDEXPANSION:
+
+#: make               builds, draws the room through all stages, and prints their speed and accuracy
+all: $(BUILD)/texmap
+	@sh tests/lessons/room.sh $(BUILD)
+
+#: make test          every test; ends with `N passed, N failed`
+test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake
 	@$(BUILD)/test
 
-test-mistakes: $(SHARED) $(TEST_OBJECTS) $(BUILD)/tests/mistakes/main.o
-	@CC='$(CC)' CFLAGS='$(CFLAGS) $(KEPT)' sh tests/mistakes/mistakes.sh $(BUILD) \
-		$(BUILD)/tests/mistakes/main.o $(SHARED) $(TEST_OBJECTS)
-
-test-trace:
-	@CC='$(CC)' CFLAGS='$(CFLAGS) -std=c11 -ffp-contract=off -I.' sh tests/trace/vanishes.sh
-
-golden: $(BUILD)/test
-	$(BUILD)/test --golden
-
-bench: $(BUILD)/texmap
-	$(BUILD)/texmap bench --stage all --scene all --csv $(BUILD)/bench.csv
-
-chart: bench
-	$(BUILD)/texmap chart $(BUILD)/bench.csv -o $(BUILD)/chart.svg
-
+#: make lesson N=2    what changed from stage 1 to stage 2: source, picture, accuracy and speed
 lesson: $(BUILD)/texmap
 	@sh tests/lessons/lesson.sh $(BUILD) '$(N)'
 
-$(BUILD)/texmap: $(BUILD)/tests/program/texmap.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make exercise N=3 E=1   an exercise of a lesson: your copy, built and judged
+exercise: $(EXERCISES) $(LIBRARIES)
+	@sh tests/lessons/exercise.sh $(BUILD) '$(N)' '$(E)' $^
 
-$(BUILD)/room: $(BUILD)/tests/program/room_main.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make report        the page on which to step through what the stages do: build/report/index.html
+report: $(BUILD)/texmap
+	$(BUILD)/texmap report -o $(BUILD)/report
 
-$(BUILD)/stability: $(BUILD)/tests/stability/stability_main.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make bench         speed and accuracy of all stages on all scenes, to build/bench.csv
+bench: $(BUILD)/texmap
+	$(BUILD)/texmap bench --stage all --scene all --csv $(BUILD)/bench.csv
 
-$(BUILD)/readme: $(BUILD)/tests/lessons/readme_main.o $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make chart         that, drawn: build/chart.svg
+chart: bench
+	$(BUILD)/texmap chart $(BUILD)/bench.csv -o $(BUILD)/chart.svg
 
-$(BUILD)/torture: $(BUILD)/tests/long/torture_main.o $(PROMISES) $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make build/texmap  the program alone; build/texmap help says what it can do
+$(foreach main,$(MAINS:.c=),$(eval \
+	$(BUILD)/$(patsubst %_main,%,$(notdir $(main))): $(BUILD)/$(main).o))
+$(BUILD)/texmap $(BUILD)/stability: $(BUILD)/texmap.a
+$(filter-out %/texmap %/stability,$(PROGRAMS)): $(LIBRARIES)
+$(PROGRAMS):
+	$(call say,LD) $(CC) $(CFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
 
-$(BUILD)/test: $(BUILD)/tests/unit/test_main.o $(TEST_OBJECTS) $(SHARED)
-	$(CC) $(CFLAGS) -o $@ $^ $(LDLIBS)
+#: make debug         build/debug/texmap with -O0 -g, to step through a stage in gdb
+debug:
+	@$(MAKE) -s BUILD=$(BUILD)/debug CFLAGS='-O0 -g' $(BUILD)/debug/texmap
 
-$(BUILD)/%.o: %.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
-
-$(BUILD)/%.o: %.S $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
-
-# Stage 4's own source with another distance between two divides.
-$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o): $(BUILD)/stage4_subdivide/segment_%.o: \
-		stage4_subdivide/rasterize.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(KEPT) -DSEGMENT_LENGTH=$(subst span,4096,$*) \
-		-Dstage4_draw_triangle=segment_$*_draw_triangle -c -o $@ $<
-
-# Stages 1 to 4 again, for `texmap trace`: there the macros of common/trace.h have a meaning.
-.SECONDEXPANSION:
-$(TRACED:%=$(BUILD)/trace/stage%.o): $(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) \
-		$(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(KEPT) -DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$* \
-		-Dstage$*_draw_triangle=trace$*_draw_triangle -c -o $@ $<
-
-$(BUILD)/page.c: tests/page/embed.sh $(PAGE_FILES)
-	@mkdir -p $(@D)
-	sh $^ > $@.new && mv $@.new $@
-
-$(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags
-	$(CC) $(CFLAGS) $(KEPT) -c -o $@ $<
-
-# What `texmap bench` says it was built with.
-$(BUILD)/tests/bench/machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
-
-# Changes when the compiler or its flags do, so that nothing built with others is kept.
-$(BUILD)/flags: FORCE
-	@mkdir -p $(@D)
-	@echo '$(CC) $(CFLAGS) $(KEPT)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(KEPT)' > $@
-
+#: make clean         removes build/
 clean:
 	rm -rf $(BUILD)
 
 help:
-	@sed -n 's/^#: //p' Makefile tests/long/optional.mk
+	@sed -n 's/^#: //p' Makefile
 
-#: make               build, then the main job: the room through all five stages
-#: make test          every test; ends with `N passed, N failed`
-#: make lesson N=2    what changed from stage 1 to stage 2, in source, picture, accuracy and speed
-#: make bench         speed and accuracy of all stages on all scenes, to build/bench.csv
-#: make chart         that, drawn: build/chart.svg
+# q, not r: two folders may have a file of the same name.
+$(BUILD)/texmap.a: $(LIBRARY)
+$(BUILD)/tests.a: $(TESTS)
+$(BUILD)/%.a:
+	$(call say,AR) rm -f $@ && $(AR) qcs $@ $^
+
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	$(compile)
+
+$(BUILD)/%.S.o: %.S $(BUILD)/flags
+	$(compile)
+
+# Stage 4's own source with another distance between two divides.
+$(BUILD)/stage4_subdivide/segment_%.o: stage4_subdivide/rasterize.c $(BUILD)/flags
+	$(call compile,-DSEGMENT_LENGTH=$(subst span,4096,$*) \
+		-Dstage4_draw_triangle=segment_$*_draw_triangle)
+
+# The stages again, for `texmap trace`: there the macros of common/trace.h have a meaning.
+$(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) $(BUILD)/flags
+	$(call compile,-DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$* \
+		-Dstage$*_draw_triangle=trace$*_draw_triangle)
+
+# The page of `texmap report`: its files, as one C file.
+$(BUILD)/page.c: tests/page/embed.sh $(sort $(wildcard tests/page/*.html tests/page/*.css tests/page/*.js))
+	@mkdir -p $(@D)
+	@sh $^ > $@.new && mv $@.new $@
+
+$(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags
+	$(compile)
+
+# What `texmap bench` says it was built with.
+$(BUILD)/tests/bench/machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
+
+# What compiles a file here. It changes when the compiler or its flags do, so that nothing built with
+# others is kept; and scripts that compile read it.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(CC) $(CFLAGS) $(KEPT)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(KEPT)' > $@
+
+#:
+#: For who changes something; each says clearly what it misses:
+#:
 #: make golden        renews tests/golden/, after a change that means to move a frame
-#: make build/texmap  the program alone; build/texmap help says what it can do
-#: make clean         removes build/
+golden: $(BUILD)/test
+	$(BUILD)/test --golden
 
-include tests/long/optional.mk
--include $(patsubst %.o,%.d,$(SHARED) $(TEST_OBJECTS) $(MAINS:%.c=$(BUILD)/%.o) $(BUILD)/tests/program/texmap.o)
+#: make stability     the stability table and its curves, to tests/results/
+stability: $(BUILD)/stability
+	$(BUILD)/stability --csv tests/results/stability.csv --curves tests/results
+
+#: make readme        the tables in the READMEs, anew from tests/results/ and what texmap prints
+readme: $(BUILD)/texmap
+	@TEXMAP_BUILD=$(BUILD) sh tests/lessons/readme.sh
+
+#: make pictures      the pictures in the READMEs, anew
+pictures: $(BUILD)/texmap
+	@sh tests/lessons/pictures.sh $(BUILD)/texmap
+
+#: make test-page     the page in headless Chromium, held against the program's own numbers
+test-page: $(BUILD)/texmap $(BUILD)/stability
+	@sh tests/page/test.sh $(BUILD)
+
+#: make test-exercises  are the exercises' starting points failed, and their solutions passed?
+test-exercises: $(EXERCISES) $(LIBRARIES)
+	@sh tests/lessons/exercise.sh $(BUILD) prove $^
+
+#: make test-long     stage 5's assembly against stage 4's C in 100 million spans: a minute
+test-long: $(BUILD)/test
+	@TEXMAP_SPANS=100000000 $(BUILD)/test asm
+
+#: make test-matrix   the same frames from gcc and clang at -O0 to -O3 and -Os, and -march=native
+#: make test-contract a build that may fuse a*b + c draws other frames, and the tests notice
+#: make test-aarch64  stages 1 to 4 on another processor: the same frames, the same exact answer
+test-matrix test-contract test-aarch64: test-%: $(BUILD)/texmap
+	@CC='$(CC)' KEPT='$(KEPT)' sh tests/long/same_bits.sh $* $(BUILD)
+
+#: make test-valgrind some of the tests under valgrind's memcheck: two minutes
+test-valgrind: $(BUILD)/test
+	@command -v valgrind > /dev/null || { echo 'valgrind is missing: Debian package valgrind'; exit 1; }
+	@TEXMAP_SPANS=10000 valgrind -q --error-exitcode=99 --leak-check=full \
+		$(BUILD)/test raster asm files clip
+
+#: make sanitize      every test, built with the address and undefined behaviour sanitizers
+# A report ends the program with a status that no command has, so that a test that waits for an
+# error does not take it for one.
+SANITIZE = -O1 -g -fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero \
+	-fno-sanitize-recover=all
+sanitize:
+	@$(call has_clang,$(SANITIZE),int main(void) { return 0; })
+	@ASAN_OPTIONS=detect_leaks=1:exitcode=99 UBSAN_OPTIONS=exitcode=99:print_stacktrace=1 \
+		$(MAKE) -s BUILD=$(BUILD)/sanitize CC=clang CFLAGS='$(SANITIZE)' test
+
+#: make torture       ten million random triangles through all stages, the promises as assertions
+torture: $(BUILD)/torture
+	$(BUILD)/torture --count 10000000
+
+#: make fuzz          libFuzzer on both readers and on all stages, a minute each (FUZZ_SECONDS=60)
+FUZZ_SECONDS = 60
+FUZZERS = $(patsubst tests/long/fuzz_%.c,%,$(wildcard tests/long/fuzz_*.c))
+
+$(FUZZERS:%=$(BUILD)/fuzz_%): $(BUILD)/%: $(BUILD)/tests/long/%.o $(LIBRARIES)
+	$(call say,LD) $(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ $(LDLIBS)
+
+fuzz:
+	@$(call has_clang,-fsanitize=fuzzer, \
+		int LLVMFuzzerTestOneInput(const char *b, unsigned long n) { return !b && n; })
+	@$(MAKE) -s BUILD=$(BUILD)/fuzz CC=clang CFLAGS='$(SANITIZE) -fsanitize=fuzzer-no-link' \
+		$(FUZZERS:%=$(BUILD)/fuzz/fuzz_%)
+	@for target in $(FUZZERS); do \
+		mkdir -p $(BUILD)/fuzz/corpus/$$target && \
+		$(BUILD)/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
+			-artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/corpus/$$target \
+			tests/long/corpus/$$target || exit 1; \
+	done
+
+# Can clang build this program with these flags?
+has_clang = mkdir -p $(BUILD) && echo '$(2)' | clang $(1) -x c -o $(BUILD)/tried - 2> $(BUILD)/tried.log || \
+	{ echo "clang or its sanitizers are missing: Debian packages clang, libclang-rt-dev"; exit 1; }
+
+-include $(patsubst %.o,%.d,$(LIBRARY) $(TESTS) $(EXERCISES) $(MAINS:%.c=$(BUILD)/%.o))

@@ -10,10 +10,10 @@
 # tests/lessons/exercises/N_E/ has task.txt; start.sed, where the starting point is not the stage as it is;
 # and solution.sed, which turns the starting point into a solution. Each changes one file, which its
 # first line names.
-# CC and CFLAGS come from the environment: make exercise sets them.
+# BUILD/flags says how to compile.
 
 build=$1
-: "${CC:=cc}"
+compile=$(cat "$build/flags")
 lessons=tests/lessons/exercises
 
 stage_of() {
@@ -61,12 +61,12 @@ compile() {
     number=${1%_*}
     built=
     for file in $(files_of "$(stage_of "$1")"); do
-        $CC $CFLAGS -Dstage${number}_draw_triangle=exercise_draw_triangle \
+        $compile -Dstage${number}_draw_triangle=exercise_draw_triangle \
             -Dstage${number}_draw_rows=exercise_draw_rows \
             -c -o "$2/${file%.*}.o" "$2/$file" || return 1
         built="$built $2/${file%.*}.o"
     done
-    $CC $CFLAGS -o "$2/judge" $built $objects -lm
+    $compile -o "$2/judge" $built $objects -lm
 }
 
 judge() {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # tests/lessons/pictures.sh TEXMAP [--check]: draws the lessons' pictures, as `make pictures` does; with
-# --check compares them with those that are there, names what differs, and ends with status 1.
+# --check compares them with those that are there: a line `ok FILE` or `FAIL FILE: why` for each.
 # Exit status 2: one could not be drawn. Runs from the repository's root.
 
 texmap=$1
@@ -16,7 +16,12 @@ picture() {
     [ "$mode" != --check ] || made=$(dirname "$texmap")/picture.png
     "$texmap" "$@" --size $size -o "$made" > /dev/null || exit 2
     if [ "$mode" = --check ]; then
-        cmp -s "$made" "$file" || { echo "$file: not what texmap draws: make pictures"; status=1; }
+        if cmp -s "$made" "$file"; then
+            echo "ok $file is what texmap draws"
+        else
+            echo "FAIL $file is what texmap draws: it is not; make pictures"
+            status=1
+        fi
         rm "$made"
     fi
 }

@@ -42,9 +42,9 @@ build() {
         { fail "$label: does not build" "$folder/log"; return 1; }
 }
 
-# draws_the_same [EMULATOR]: does $folder/golden draw the frames that are in tests/golden/?
+# draws_the_same [EMULATOR]: does $folder/test draw the frames that are in tests/golden/?
 draws_the_same() {
-    if "$@" "$folder/golden" > "$folder/log" 2>&1; then
+    if "$@" "$folder/test" golden > "$folder/log" 2>&1; then
         pass "$label: $(tail -n 1 "$folder/log")"
     else
         fail "$label: other frames" "$folder/log"
@@ -58,7 +58,7 @@ matrix() {
         compiler=${line%% *}
         if ! command -v "$compiler" > /dev/null; then
             skip "$line: $compiler is missing: Debian package $compiler"
-        elif build "matrix/$(echo "$line" | tr -d ' =')" "$compiler" "${line#* }" golden; then
+        elif build "matrix/$(echo "$line" | tr -d ' =')" "$compiler" "${line#* }" test; then
             draws_the_same
         fi
     done
@@ -77,9 +77,9 @@ contract() {
         fi
     done
     # Forbidden first: without this, the digests could differ for any other reason.
-    build contract/off "$CC" "$haswell" golden && draws_the_same || return
-    build contract/fast "$CC" "$haswell" golden "KEPT=$fused" || return
-    "$folder/golden" > "$folder/log" 2>&1
+    build contract/off "$CC" "$haswell" test && draws_the_same || return
+    build contract/fast "$CC" "$haswell" test "KEPT=$fused" || return
+    "$folder/test" golden > "$folder/log" 2>&1
     if [ $? -eq 1 ] && moved=$(grep -c '^FAIL golden: .* is what it was' "$folder/log"); then
         pass "$label -ffp-contract=fast: noticed, $moved other frames"
     else
@@ -150,7 +150,7 @@ aarch64() {
     need qemu-aarch64-static qemu-user-static
     echo '#include <stdio.h>' | aarch64-linux-gnu-gcc -E - > /dev/null 2>&1 ||
         { echo "aarch64's C library is missing: Debian package libc6-dev-arm64-cross"; exit 1; }
-    build aarch64 aarch64-linux-gnu-gcc '-O2 -static -Werror' 'golden test texmap' || return
+    build aarch64 aarch64-linux-gnu-gcc '-O2 -static -Werror' 'test texmap' AR=aarch64-linux-gnu-ar || return
     draws_the_same qemu-aarch64-static
     # `cli` starts the program by its name, `bench` measures, and the others take minutes here.
     for group in files clip raster exact; do

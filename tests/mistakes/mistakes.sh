@@ -1,30 +1,25 @@
 #!/bin/sh
-# tests/mistakes/mistakes.sh BUILD OBJECT...: does the harness find mistakes? Each tests/mistakes/NAME.sed
-# puts one into a copy of a stage's source; the objects are then linked with that in place of the
-# stage's own, and the gate that the mistake names must fail. As it is the stage must pass all of
-# its gates, in the same program.
+# tests/mistakes/mistakes.sh: does the harness find mistakes? Each tests/mistakes/NAME.sed puts one into
+# a copy of a stage's source; the program `mistake` is then linked with that in front of the library,
+# so in place of the stage's own, and the gate that the mistake names must fail. As it is the stage
+# must pass all of its gates, in the same program. Prints `ok NAME`, `FAIL NAME: why`, `SKIP NAME: why`.
 #
 # The first line of a mistake is `# FILE: the check that must catch it`. What does not begin with #
 # is a sed command on one line; a command that changes nothing is an error.
-# CC and CFLAGS come from the environment: make test-mistakes sets them.
+# TEXMAP_BUILD is where the program and the libraries are; `flags` there says how to compile.
 
-build=$1
-shift
-objects=$*
+build=$TEXMAP_BUILD
 folder=$build/mistakes
-: "${CC:=cc}"
+compile=$(cat "$build/flags")
 controlled= # stages that were tried as they are
-caught=0
 missed=0
 
-# Links the program $1 with the object $2, unless that is empty, in place of the stage's object $3.
-link() {
-    others=
-    for object in $objects; do
-        [ "$object" = "$3" ] || others="$others $object"
-    done
-    $CC $CFLAGS -o "$1" $2 $others -lm
-}
+case $compile in
+*-fsanitize*)
+    echo 'SKIP mistakes: a sanitizer ends the program before its gates can see them'
+    exit
+    ;;
+esac
 
 # Applies the mistake $1 to the file $2, command by command; $3 is the result.
 edit() {
@@ -35,7 +30,7 @@ edit() {
         esac
         sed -e "$command" "$3" > "$3.edited" || return 1
         if cmp -s "$3" "$3.edited"; then
-            printf 'FAIL %s: changes nothing in %s: %s\n' "$1" "$2" "$command"
+            echo "FAIL $(basename "$1" .sed): changes nothing in $2: $command"
             return 1
         fi
         mv "$3.edited" "$3"
@@ -49,13 +44,13 @@ try() {
     mkdir -p "$folder/$name"
     edited=$folder/$name/$(basename "$source")
     edit "$1" "$source" "$edited" &&
-        $CC $CFLAGS -w -c -o "$edited.o" "$edited" &&
-        link "$folder/$name/mistake" "$edited.o" "$build/${source%.*}.o" || return 1
+        $compile -w -o "$folder/$name/mistake" "$edited" "$build"/tests/mistakes/mistake_main.o \
+            "$build"/tests.a "$build"/texmap.a -lm || return 1
     "$folder/$name/mistake" "$stage" > "$folder/$name/output"
     if grep -Fqx "caught by: $check" "$folder/$name/output"; then
-        echo "$stage, $name: caught by: $check"
+        echo "ok $name in $stage is caught by: $check"
     else
-        echo "FAIL $stage, $name: not caught by: $check"
+        echo "FAIL $name in $stage is caught by: $check: it is not"
         sed 's/^/     /' "$folder/$name/output"
         return 1
     fi
@@ -63,25 +58,21 @@ try() {
 
 # Does the stage pass as it is?
 control() {
-    if output=$("$folder/control" "$1"); then
-        echo "$1, without a mistake: passes"
+    if output=$("$build/mistake" "$1"); then
+        echo "ok $1 passes without a mistake"
     else
-        echo "FAIL $1, without a mistake: $output"
+        echo "FAIL $1 passes without a mistake: $output"
         return 1
     fi
 }
 
-mkdir -p "$folder" && link "$folder/control" '' '' || exit 1
 for mistake in tests/mistakes/*.sed; do
     source=$(sed -n '1s/^# \([^:]*\): .*/\1/p' "$mistake")
     stage=${source%%/*}
-    case " $objects " in
-    *" $build/${source%.*}.o "*) ;;
-    *)
-        echo "$mistake: skipped, $stage is not built here"
+    if [ ! -d "$build/$stage" ]; then
+        echo "SKIP $(basename "$mistake" .sed): $stage is not built here"
         continue
-        ;;
-    esac
+    fi
     case " $controlled " in
     *" $stage "*) ;;
     *)
@@ -89,11 +80,6 @@ for mistake in tests/mistakes/*.sed; do
         control "$stage" || missed=$((missed + 1))
         ;;
     esac
-    if try "$mistake"; then
-        caught=$((caught + 1))
-    else
-        missed=$((missed + 1))
-    fi
+    try "$mistake" || missed=$((missed + 1))
 done
-echo "$caught mistakes caught"
 [ "$missed" -eq 0 ]

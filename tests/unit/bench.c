@@ -183,7 +183,6 @@ static void test_refused(void)
 
 void test_bench(void)
 {
-    test_bench_gate();
     test_lookup();
     if (!check(cli_open(), "there is a program to run", "build/texmap")) {
         return;

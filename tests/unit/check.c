@@ -1,100 +1,183 @@
+#define _POSIX_C_SOURCE 200809L
 #include "tests/unit/check.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "tests/unit/test.h"
+#include <string.h>
+#include <time.h>
 
-#define SEED_VARIABLE "TEXMAP_SEED"
+#define SHOWN 3 /* failures of one test */
+#define LINE_LENGTH 1024
 
-/* The constants of splitmix64: the golden ratio's fraction, and its two mixing multipliers. */
-#define GOLDEN_GAMMA 0x9E3779B97F4A7C15u
-#define MIX_1 0xBF58476D1CE4E5B9u
-#define MIX_2 0x94D049BB133111EBu
+struct test {
+    char *name;
+    int failures;
+};
 
-static uint64_t run_seed = 1;
+struct count {
+    int passed, failed, skipped;
+};
+
+static struct test *tests; /* of this group */
+static int test_count;
+static struct count group_count, total;
 static const char *group = "";
-static int passed, failed, skipped;
+static bool group_line; /* the group's name was printed, and nothing after it */
+static double group_start;
 
-bool check_seed(uint64_t *seed)
+static double seconds(void)
 {
-    const char *text = getenv(SEED_VARIABLE);
-    if (text) {
-        char *end;
-        errno = 0;
-        run_seed = strtoull(text, &end, 10);
-        if (errno != 0 || *text < '0' || *text > '9' || *end != '\0') {
-            return false;
-        }
-    }
-    *seed = run_seed;
-    return true;
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void check_group(const char *name)
+/* What is printed now stands on a line of its own. */
+static void own_line(void)
 {
-    group = name;
+    if (group_line) {
+        printf("\n");
+        group_line = false;
+    }
+}
+
+/* The last test first: most checks are of the same one as the check before. */
+static struct test *find(const char *name)
+{
+    for (int i = test_count - 1; i >= 0; i--) {
+        if (strcmp(tests[i].name, name) == 0) {
+            return &tests[i];
+        }
+    }
+    tests = realloc(tests, (size_t)(test_count + 1) * sizeof *tests);
+    char *copy = tests ? strdup(name) : NULL;
+    if (!copy) {
+        fprintf(stderr, "test: no memory\n");
+        exit(2);
+    }
+    tests[test_count] = (struct test){.name = copy};
+    return &tests[test_count++];
 }
 
 bool check(bool holds, const char *name, const char *format, ...)
 {
-    if (holds) {
-        passed++;
-        return true;
+    struct test *test = find(name);
+
+    if (holds || ++test->failures > SHOWN) {
+        return holds;
     }
-    failed++;
+    own_line();
     printf("FAIL %s: ", name);
     va_list arguments;
     va_start(arguments, format);
     vprintf(format, arguments);
     va_end(arguments);
-    printf("\n     alone: " SEED_VARIABLE "=%" PRIu64 " build/test %s\n", run_seed, group);
+    uint64_t seed;
+    random_seed(&seed);
+    printf("\n     alone: " SEED_VARIABLE "=%" PRIu64 " build/test %s\n", seed, group);
     return false;
 }
 
 void check_skip(const char *name, const char *why)
 {
-    skipped++;
+    own_line();
+    group_count.skipped++;
     printf("SKIP %s: %s\n", name, why);
+}
+
+static void script_line(char *line)
+{
+    static const char *const words[] = {"ok ", "FAIL ", "SKIP "};
+    int word = 0;
+
+    line[strcspn(line, "\n")] = '\0';
+    while (word < 3 && strncmp(line, words[word], strlen(words[word])) != 0) {
+        word++;
+    }
+    if (word == 3) {
+        own_line();
+        printf("%s\n", line);
+        return;
+    }
+    char *name = line + strlen(words[word]), *why = word > 0 ? strstr(name, ": ") : NULL;
+    if (why) {
+        *why = '\0';
+        why += 2;
+    }
+    if (word == 2) {
+        check_skip(name, why ? why : "");
+    } else {
+        check(word == 0, name, "%s", why ? why : "");
+    }
+}
+
+void check_script(const char *command)
+{
+    char line[LINE_LENGTH];
+
+    fflush(stdout); /* or the child would write what waits in our buffers again */
+    FILE *pipe = popen(command, "r");
+    while (pipe && fgets(line, sizeof line, pipe)) {
+        script_line(line);
+    }
+    const int status = pipe ? pclose(pipe) : -1;
+    bool failed = false;
+    for (int i = 0; i < test_count; i++) {
+        failed = failed || tests[i].failures > 0;
+    }
+    if (status != 0 && !failed) {
+        check(false, command, "ended with status %d", status);
+    }
+}
+
+void check_group_begin(const char *name)
+{
+    group = name;
+    group_count = (struct count){0};
+    group_start = seconds();
+    printf("%-10s ", name);
+    fflush(stdout);
+    group_line = true;
+}
+
+static void count_print(const struct count *count)
+{
+    printf("%d passed, %d failed", count->passed, count->failed);
+    if (count->skipped > 0) {
+        printf(", %d skipped", count->skipped);
+    }
+}
+
+void check_group_end(void)
+{
+    for (int i = 0; i < test_count; i++) {
+        if (tests[i].failures > SHOWN) {
+            own_line();
+            printf("     %d more: %s\n", tests[i].failures - SHOWN, tests[i].name);
+        }
+        group_count.passed += tests[i].failures == 0;
+        group_count.failed += tests[i].failures > 0;
+        free(tests[i].name);
+    }
+    free(tests);
+    tests = NULL;
+    test_count = 0;
+    if (!group_line) {
+        printf("%-10s ", group);
+    }
+    count_print(&group_count);
+    printf("; %.1f s\n", seconds() - group_start);
+    total.passed += group_count.passed;
+    total.failed += group_count.failed;
+    total.skipped += group_count.skipped;
 }
 
 bool check_summary(void)
 {
-    printf("%d passed, %d failed", passed, failed);
-    if (skipped > 0) {
-        printf(", %d skipped", skipped);
-    }
+    count_print(&total);
     printf("\n");
-    return failed == 0;
-}
-
-static uint64_t mix(uint64_t bits)
-{
-    bits = (bits ^ (bits >> 30)) * MIX_1;
-    bits = (bits ^ (bits >> 27)) * MIX_2;
-    return bits ^ (bits >> 31);
-}
-
-struct random random_start(uint64_t stream)
-{
-    return (struct random){mix(run_seed) ^ mix(stream + GOLDEN_GAMMA)};
-}
-
-uint32_t random_bits(struct random *random)
-{
-    random->state += GOLDEN_GAMMA;
-    return (uint32_t)(mix(random->state) >> 32);
-}
-
-int random_int(struct random *random, int low, int high)
-{
-    uint64_t count = (uint64_t)((int64_t)high - low + 1);
-    return (int)(low + (int64_t)(random_bits(random) * count >> 32));
-}
-
-double random_real(struct random *random, double low, double high)
-{
-    return low + (high - low) * (random_bits(random) / 4294967296.0 /* 2^32 */);
+    return total.failed == 0;
 }

@@ -3,28 +3,31 @@
 #define TESTS_CHECK_H
 
 #include <stdbool.h>
-#include <stdint.h>
+#include "tests/judge/random.h"
 
-/* Counts one check. Where it does not hold, prints `FAIL name: ` and the details, printf-style:
- * seed, case, expected and got. Then says how to run just this group of tests. Returns `holds`. */
+/* A check of the test of that name. A test is counted once, however often it is checked, and has
+ * passed when every check of it held. Where one does not, prints `FAIL name: ` and the details,
+ * printf-style: seed, case, expected and got. Then says how to run just this group of tests. Returns
+ * `holds`. */
 bool check(bool holds, const char *name, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
 
-/* Counts one check that cannot be made here, and prints why. */
+/* Counts one test that cannot be made here, and prints why. */
 void check_skip(const char *name, const char *why);
 
-/* Random numbers for tests: the same sequence for the same seed everywhere. */
-struct random {
-    uint64_t state;
-};
+/* Runs a shell command whose lines are tests: `ok NAME`, `FAIL NAME: why` and `SKIP NAME: why`.
+ * What else it prints is passed on. TEXMAP_BUILD says to it where the programs are, and
+ * the file `flags` there what compiled them. */
+void check_script(const char *command);
 
-/* The seed of this run: TEXMAP_SEED from the environment, or 1. It is printed at the start. */
-struct random random_start(uint64_t stream);
-uint32_t random_bits(struct random *random);
-int random_int(struct random *random, int low, int high);             /* low..high, both included */
-double random_real(struct random *random, double low, double high);   /* [low, high) */
+/* For the program that runs the groups: what follows belongs to this one; how it went. */
+void check_group_begin(const char *name);
+void check_group_end(void);
+
+/* Prints `N passed, N failed` (`, N skipped` where there are any). True when none failed. */
+bool check_summary(void);
 
 #endif

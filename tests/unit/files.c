@@ -16,21 +16,14 @@
 #define PATH_SIZE 512
 #define GRID (1.0f / 65536) /* pixels */
 
-static const char *folder(void)
-{
-    const char *given = getenv("TEXMAP_TEST_DIR");
-
-    return given ? given : "build/test_files_tmp";
-}
-
 const char *test_path(const char *name)
 {
     static char paths[4][PATH_SIZE];
     static unsigned turn;
     char *path = paths[turn++ % 4];
 
-    if (snprintf(path, PATH_SIZE, "%s/%s", folder(), name) >= PATH_SIZE) {
-        fprintf(stderr, "test: TEXMAP_TEST_DIR is too long\n");
+    if (snprintf(path, PATH_SIZE, "%s/test_files/%s", getenv("TEXMAP_BUILD"), name) >= PATH_SIZE) {
+        fprintf(stderr, "test: the path of the build folder is too long\n");
         exit(2);
     }
     for (char *slash = path + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
@@ -196,7 +189,7 @@ static void test_writers(void)
 
         snprintf(name, sizeof name, "missing/%s", writers[i].file);
         path = test_path("x");
-        snprintf(expected, sizeof expected, "%s/%s", folder(), name);
+        snprintf(expected, sizeof expected, "%s/test_files/%s", getenv("TEXMAP_BUILD"), name);
         check_refusal(&writers[i], expected, ENOENT);
 
         path = test_path(writers[i].file);
@@ -221,5 +214,5 @@ void test_files(void)
     test_writers();
     test_no_part_of_a_file_stays();
     test_only_files_are_removed();
-    rmdir(folder());
+    rmdir(test_path(""));
 }

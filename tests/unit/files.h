@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* "FOLDER/NAME", FOLDER being TEXMAP_TEST_DIR from the environment or build/test_files_tmp; made
+/* "FOLDER/NAME", FOLDER being test_files beside the programs; made
  * where it is missing. The text stays until the fourth call after. */
 const char *test_path(const char *name);
 

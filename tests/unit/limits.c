@@ -149,7 +149,6 @@ void test_limits(void)
 {
     struct promises promises;
 
-    test_limits_entry();
     if (!check(promises_create(&promises), "there is memory for the limits", "there is not")) {
         return;
     }

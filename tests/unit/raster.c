@@ -178,7 +178,4 @@ void test_raster(void)
             }
         }
     }
-    test_raster_mesh();
-    test_raster_random();
-    test_raster_whole();
 }

@@ -4,7 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "tests/unit/test.h"
+#include "tests/judge/random.h"
 #include "tests/asm/asm.h"
 #include "tests/unit/gates.h"
 
@@ -29,7 +29,7 @@ int main(int argc, char **argv)
     uint64_t seed;
     bool holds = true;
 
-    if (!stage || !check_seed(&seed)) {
+    if (!stage || !random_seed(&seed)) {
         fprintf(stderr, "usage: [TEXMAP_SEED=N] mistake STAGE\n");
         return 2;
     }
