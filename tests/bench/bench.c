@@ -114,22 +114,40 @@ bool bench_open(struct bench *bench, const struct bench_choice *choice, struct e
     return false;
 }
 
+/* The rows of one scene. */
+static bool judge_scene(struct meter *meter, struct gate *gate, struct bench_row *rows, int count,
+                        double deadline)
+{
+    const struct stage *chosen[BENCH_STAGES_MAX] = {NULL};
+    struct accuracy accuracy[BENCH_STAGES_MAX];
+
+    for (int i = 0; i < count; i++) {
+        chosen[i] = rows[i].stage;
+    }
+    if (!accuracy_frames(meter, &rows->source->triangles, chosen, count, 0, accuracy)) {
+        return false;
+    }
+    for (int i = 0; i < count && bench_clock() < deadline; i++) {
+        struct bench_row *row = &rows[i];
+        row->accuracy = accuracy[i];
+        row->judged = true;
+        row->wrong = !gate_holds(gate, row->source, row->stage, &row->accuracy, &row->pixels,
+                                 &row->why);
+    }
+    return true;
+}
+
 bool bench_judge(struct bench *bench, double deadline, struct error *error)
 {
+    const int stages = bench->row_count / bench->source_count;
     struct meter meter = {0};
     struct gate gate = {0};
     bool measured = meter_create(&meter, bench->size.width, bench->size.height) &&
                     gate_create(&gate, &meter);
 
-    for (int i = 0; measured && i < bench->row_count && bench_clock() < deadline; i++) {
-        struct bench_row *row = &bench->rows[i];
-        progress("bench: accuracy", (double)i / bench->row_count);
-        measured = accuracy_frame(&meter, &row->source->triangles, row->stage, 0, &row->accuracy);
-        if (measured) {
-            row->wrong = !gate_holds(&gate, row->source, row->stage, row->accuracy.position_rms,
-                                     &row->pixels, &row->why);
-            row->judged = true;
-        }
+    for (int i = 0; measured && i < bench->source_count && bench_clock() < deadline; i++) {
+        progress("bench: accuracy", (double)i / bench->source_count);
+        measured = judge_scene(&meter, &gate, bench->rows + i * stages, stages, deadline);
     }
     progress(NULL, 0);
     gate_destroy(&gate);

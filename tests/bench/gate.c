@@ -124,18 +124,18 @@ static double rms_bound(const struct gate *gate)
 /* The position error tells where u and v lay, the bias which texels were made of them: half a texel
  * below the right ones where a stage truncates. */
 static bool texels_hold(const struct gate *gate, const struct stage *stage,
-                        const struct accuracy *own, double position_rms, struct error *why)
+                        const struct accuracy *measured, struct error *why)
 {
     const bool held = strcmp(stage->name, "coda") == 0;
     const double bound = rms_bound(gate) + (held ? HELD_ERROR : 0);
-    const double rms = fmin(own->position_rms, position_rms);
-    const double bias = fmax(fabs(own->bias_u), fabs(own->bias_v));
+    const double bias = fmax(fabs(measured->bias_u), fabs(measured->bias_v));
     const double bias_bound = bound + (stage->truncates ? 0.5 : 0);
 
-    if (rms > bound) {
-        return error_set(why, "position error %.3f texels RMS, at most %.3f expected", rms, bound);
+    if (measured->position_rms > bound) {
+        return error_set(why, "position error %.3f texels RMS, at most %.3f expected",
+                         measured->position_rms, bound);
     }
-    return own->pixels < PIXELS_FOR_BIAS || bias <= bias_bound ||
+    return measured->pixels < PIXELS_FOR_BIAS || bias <= bias_bound ||
            error_set(why, "texels off by %.3f on the average, at most %.3f expected", bias,
                      bias_bound);
 }
@@ -154,14 +154,30 @@ static bool twin_holds(const struct gate *gate, const struct source *source, str
     return differing == 0 || error_set(why, "not stage 4's frame in %zu pixels", differing);
 }
 
+/* Against the vertices as given, or else against those on the stage's own grid. */
+static bool accuracy_holds(const struct gate *gate, const struct source *source,
+                           const struct stage *stage, const struct accuracy *given,
+                           struct error *why)
+{
+    struct accuracy own;
+
+    if (texels_hold(gate, stage, given, why)) {
+        return true;
+    }
+    if (!accuracy_frame(gate->meter, &source->triangles, stage, stage->grid, &own)) {
+        return error_set(why, "no memory to judge it");
+    }
+    own.position_rms = fmin(own.position_rms, given->position_rms);
+    return texels_hold(gate, stage, &own, why);
+}
+
 bool gate_holds(struct gate *gate, const struct source *source, const struct stage *stage,
-                double position_rms, size_t *pixels, struct error *why)
+                const struct accuracy *given, size_t *pixels, struct error *why)
 {
     const struct triangle_list *list = &source->triangles;
     struct meter *meter = gate->meter;
-    struct accuracy own;
 
-    if (!accuracy_frame(meter, list, stage, stage->grid, &own)) {
+    if (!meter_begin(meter, list)) {
         return error_set(why, "no memory to judge it");
     }
     for (size_t i = 0; i < list->count; i++) {
@@ -170,6 +186,6 @@ bool gate_holds(struct gate *gate, const struct source *source, const struct sta
     meter_draw_surfaces(meter, list, stage->draw);
     *pixels = draw_exact(gate, list, stage);
     return coverage_holds(gate, source, stage, why) &&
-           texels_hold(gate, stage, &own, position_rms, why) &&
-           (!stage->digit || strcmp(stage->digit, "5") != 0 || twin_holds(gate, source, why));
+           (!stage->digit || strcmp(stage->digit, "5") != 0 || twin_holds(gate, source, why)) &&
+           accuracy_holds(gate, source, stage, given, why);
 }

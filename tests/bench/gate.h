@@ -2,7 +2,7 @@
 #ifndef TESTS_BENCH_GATE_H
 #define TESTS_BENCH_GATE_H
 
-#include "tests/exact/meter.h"
+#include "tests/exact/accuracy.h"
 #include "tests/program/source.h"
 
 /* One serves many frames of the meter's size. */
@@ -20,12 +20,13 @@ void gate_destroy(struct gate *gate);
  * - each pixel shows the triangle that the exact answer shows there; a stage that keeps its
  *   vertices as floats drifts, and may miss that in a few pixels along the edges;
  * - the position error's RMS is within the bound of linear interpolation over its segments, but for
- *   a quarter of a texel; `position_rms`, that against the vertices as given, will do as well;
+ *   a quarter of a texel;
  * - so is the mean error of its texels, but for half a texel more where the stage truncates;
  * - stage 5's frame is stage 4's, bit for bit.
+ * `given` is its accuracy against the vertices as given: where that is as good, it will do.
  * If not, `why` says what is wrong. *pixels is how many the stage writes, those included that it
  * paints over later. */
 bool gate_holds(struct gate *gate, const struct source *source, const struct stage *stage,
-                double position_rms, size_t *pixels, struct error *why);
+                const struct accuracy *given, size_t *pixels, struct error *why);
 
 #endif

@@ -83,25 +83,37 @@ static void measure_positions(const struct meter *meter, bool truncates, int sca
     accuracy->ruler_step = 1.0 / scale;
 }
 
-bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
-                    const struct stage *stage, int grid, struct accuracy *accuracy)
+bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
+                     const struct stage *const chosen[], int count, int grid,
+                     struct accuracy accuracy[])
 {
     const int scale = ruler_scale(list);
 
-    *accuracy = (struct accuracy){
-        .triangles = list->count, .jitter_rms = NAN, .jitter_floor = NAN};
     if (!meter_begin(meter, list)) {
         return false;
     }
-    meter_draw_surfaces(meter, list, stage->draw);
     meter_exact(meter, list, grid, 1);
-    meter_draw(meter, list, stage->draw, &meter->coordinates, 1);
-    measure_coverage(meter, accuracy);
-    measure_texels(meter, accuracy);
+    for (int i = 0; i < count; i++) {
+        accuracy[i] = (struct accuracy){
+            .triangles = list->count, .jitter_rms = NAN, .jitter_floor = NAN};
+        meter_draw_surfaces(meter, list, chosen[i]->draw);
+        meter_draw(meter, list, chosen[i]->draw, &meter->coordinates, 1);
+        measure_coverage(meter, &accuracy[i]);
+        measure_texels(meter, &accuracy[i]);
+    }
     meter_exact(meter, list, grid, scale);
-    meter_draw(meter, list, stage->draw, &meter->ruler, scale);
-    measure_positions(meter, stage->truncates, scale, accuracy);
+    for (int i = 0; i < count; i++) {
+        meter_draw_surfaces(meter, list, chosen[i]->draw);
+        meter_draw(meter, list, chosen[i]->draw, &meter->ruler, scale);
+        measure_positions(meter, chosen[i]->truncates, scale, &accuracy[i]);
+    }
     return true;
+}
+
+bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
+                    const struct stage *stage, int grid, struct accuracy *accuracy)
+{
+    return accuracy_frames(meter, list, &stage, 1, grid, accuracy);
 }
 
 static bool measure_all(struct meter *meter, struct source *source,
@@ -112,10 +124,10 @@ static bool measure_all(struct meter *meter, struct source *source,
     if (!jitter_measure(meter, source, chosen, count, jitter, progress, error)) {
         return false;
     }
+    if (!accuracy_frames(meter, &source->triangles, chosen, count, 0, accuracy)) {
+        return error_set(error, "accuracy: no memory");
+    }
     for (int i = 0; i < count; i++) {
-        if (!accuracy_frame(meter, &source->triangles, chosen[i], 0, &accuracy[i])) {
-            return error_set(error, "accuracy: no memory");
-        }
         accuracy[i].jitter_rms = jitter[i];
         accuracy[i].jitter_floor = jitter[count];
     }

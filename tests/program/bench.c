@@ -151,7 +151,8 @@ static enum outcome run(const struct options *options, struct error *error)
 
     machine_pin();
     if (!choose(&choice, options, error) ||
-        (options->csv && !file_possible(options->csv, error)) || !bench_open(&bench, &choice, error)) {
+        (options->csv && !file_possible(options->csv, error)) ||
+        !bench_open(&bench, &choice, error)) {
         return OUTCOME_FAILED;
     }
     enum outcome outcome = OUTCOME_FAILED;
