@@ -1,7 +1,7 @@
 #!/bin/sh
-# tests/lessons/room.sh BUILD: what `make` shows. The room drawn by every stage, to BUILD/out/, their
-# speed and accuracy, and what to look at next. Exit status 1: a stage drew a wrong frame; 2:
-# something could not be done.
+# tests/lessons/room.sh BUILD: what `make` shows. The room drawn by every stage, to BUILD/out/,
+# their speed and accuracy, and what to look at next. Exit status 1: a stage drew a wrong frame;
+# 2: something could not be done.
 
 texmap=$1/texmap
 out=$1/out

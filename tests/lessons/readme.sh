@@ -1,0 +1,280 @@
+#!/bin/sh
+# tests/lessons/readme.sh [--check] [README...]: writes the READMEs' blocks anew. A block names the
+# command whose output it is, run here with the functions below; one that begins with texmap is shown
+# too, as code, and what the others print is Markdown.
+#
+#   <!-- begin: COMMAND -->
+#   <!-- end -->
+#
+# With --check nothing is written, and each line is a test, `ok NAME` or `FAIL NAME: why`: blocks are
+# what their commands print; a number in the text with a unit of something measured stands, rounded,
+# in one of the file's blocks, or in a comment `<!-- given: NUMBERS -->` where it is not from here;
+# links lead somewhere; no text is longer than agreed. TEXMAP_BUILD is where texmap is.
+
+results=tests/results/bench.csv
+cases=tests/results/stability.csv
+stages='stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide stage5_asm coda'
+segments='stage3_fixed28_4 segment_4 segment_8 stage4_subdivide segment_32 segment_64 segment_span'
+
+# On standard error stands what this machine leaves out, which is not the README's business.
+texmap() { "$TEXMAP_BUILD/texmap" "$@" 2> /dev/null; }
+
+# measured PROGRAM [ARGUMENT...]: awk, whose columns are found by name. cell() is a number as text,
+# a dash where there is none; its column may be `speed`, against stage 1. fill() is a template such
+# as 'speed (ns_per_pixel_min)' with numbers in place of columns' names.
+measured() {
+    program=$1
+    shift
+    awk '
+        function ratio(before, after, scene,    n) {
+            n = value[after, scene, "ns_per_pixel_min"]
+            return n > 0 ? value[before, scene, "ns_per_pixel_min"] / n : ""
+        }
+        function cell(stage, scene, column,    n, step) {
+            n = value[stage, scene, column]
+            if (column == "speed") n = ratio("stage1_float", stage, scene)
+            step = value[stage, scene, "ruler_step"]
+            if (n == "") return "-"
+            if (column ~ /^position/ && n < step) return "&lt; 1/" int(1 / step + .5)
+            return sprintf(column ~ /^position/ ? "%.4f" : "%.2f", n)
+        }
+        function fill(stage, scene, template,    text, word) {
+            while (match(template, /[a-z_]+/)) {
+                word = substr(template, RSTART, RLENGTH)
+                text = text substr(template, 1, RSTART - 1) \
+                    (word == "speed" || word in at ? cell(stage, scene, word) : word)
+                template = substr(template, RSTART + RLENGTH)
+            }
+            return text template
+        }
+        function heading(first,    i, bars) {
+            bars = first
+            gsub(/[^|]+/, "---", bars)
+            printf "| %s |", first
+            for (i = 1; i in scene; i++) printf " %s |", scene[i]
+            printf "\n|%s|", bars
+            for (i = 1; i in scene; i++) printf "---:|"
+            print ""
+        }
+        function title(column) { return column in titles ? titles[column] : column }
+        BEGIN {
+            FS = ","
+            titles["ns_per_pixel_min"] = "ns per pixel"
+            titles["wrong_texel_pct"] = "wrong texels, %"
+            titles["position_rms"] = "position error, RMS texels"
+            split("room wall floor mesh", scene, " ")
+            for (i = 1; i < ARGC - 1; i++) { argument[i] = ARGV[i]; ARGV[i] = "" }
+        }
+        /^#/ { machine = machine (machine ? "; " : "") substr($0, 3); next }
+        !names { names = $0; for (i = 1; i <= NF; i++) { name[i] = $i; at[$i] = i }; next }
+        { for (i = 1; i <= NF; i++) value[$at["stage"], $at["scene"], name[i]] = $i }
+        END { '"$program"' }' "$@" $results
+}
+
+# table STAGES TEMPLATE: a row a stage, a column a scene.
+table() {
+    measured 'heading("stage")
+        split(argument[1], stage, " ")
+        for (row = 1; row in stage; row++) {
+            printf "| %s |", stage[row]
+            for (i = 1; i in scene; i++) printf " %s |", fill(stage[row], scene[i], argument[2])
+            print ""
+        }' "$@"
+}
+
+# compare A B COLUMN...: a row a scene, each column for both stages, then how many times as fast B
+# is as A.
+compare() {
+    measured 'printf "| scene |"
+        for (k = 3; k in argument; k++) 
+            printf " %s, %s | %s |", title(argument[k]), argument[1], argument[2]
+        printf " times as fast |\n|---|---:|"
+        for (k = 3; k in argument; k++) printf "---:|---:|"
+        for (i = 1; i in scene; i++) {
+            printf "\n| %s |", scene[i]
+            for (k = 3; k in argument; k++) printf " %s | %s |", \
+                cell(argument[1], scene[i], argument[k]), cell(argument[2], scene[i], argument[k])
+            printf " %.2f |", ratio(argument[1], argument[2], scene[i])
+        }
+        print ""' "$@"
+}
+
+# steps PURPOSE...: what each step from a stage to the next was for, and how many times as fast it
+# is.
+steps() {
+    measured 'heading("step | what it was for, then")
+        split("'"$stages"'", stage, " ")
+        for (k = 1; k in argument; k++) {
+            printf "| %d to %d | %s |", k, k + 1, argument[k]
+            for (i = 1; i in scene; i++) printf " %.2f |", ratio(stage[k], stage[k + 1], scene[i])
+            print ""
+        }' "$@"
+}
+
+# machine: what the results were measured on.
+machine() {
+    measured 'printf "\nMeasured with `texmap bench`: %s.\nFrames of %dx%d.\n", machine,
+        value["stage1_float", "wall", "width"], value["stage1_float", "wall", "height"]'
+}
+
+# stability: a row a case, a column a stage; what fails, as it is said to, in bold.
+stability() {
+    awk -F, '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        { key = $at["case"] " | " $at["measured"] " | " $at["unit"]; stage = $at["stage"] }
+        !(key in row) { row[key]; rows[++row_count] = key }
+        !(stage in column) { column[stage]; columns[++column_count] = stage }
+        {
+            bold = $at["verdict"] == "holds" || $at["verdict"] == "n/a" ? "" : "**"
+            value = $at["value"]
+            cell[key, stage] = value ~ /^-?[0-9.]/ ? bold sprintf("%.3g", value) bold : "-"
+        }
+        END {
+            printf "| case | measured | unit |"
+            for (i = 1; i <= column_count; i++) printf " %s |", columns[i]
+            printf "\n|---|---|---|"
+            for (i = 1; i <= column_count; i++) printf "---:|"
+            for (k = 1; k <= row_count; k++) {
+                printf "\n| %s |", rows[k]
+                for (i = 1; i <= column_count; i++) printf " %s |", cell[rows[k], columns[i]]
+            }
+            print "\n\n**Bold**: the method fails there, by that much; `make test` holds it to that."
+        }' $cases
+}
+
+# lines A B: how much of stage A's source stage B changes. hunks A B PATTERN: those of the
+# differences in which the pattern stands.
+lines() {
+    diff "$1/rasterize.c" "$2/rasterize.c" | awk -v a="$1" -v b="$2" '
+        /^</ { go++ }
+        /^>/ { come++ }
+        END {
+            printf "`diff %s/rasterize.c %s/rasterize.c`: %d lines go, %d come.\n", a, b, go, come
+        }'
+}
+hunks() {
+    echo '```diff'
+    diff -U 2 "$1/rasterize.c" "$2/rasterize.c" | awk -v pattern="$3" '
+        function show() { if (shown) printf "%s", hunk; hunk = ""; shown = 0 }
+        /^(---|[+][+][+]) / { next }
+        /^@@/ { show() }
+        { hunk = hunk $0 "\n"; if ($0 ~ pattern) shown = 1 }
+        END { show() }'
+    echo '```'
+}
+
+block() {
+    case $1 in
+    texmap\ *)
+        printf '```\n$ build/%s\n' "$1"
+        eval "$1" || return
+        echo '```'
+        ;;
+    *) eval "$1" ;;
+    esac | sed 's/ *$//'
+}
+
+# Standard input with its blocks written anew.
+renew() {
+    inside=
+    while IFS= read -r line; do
+        case $line in
+        '<!-- end -->') inside= ;;
+        esac
+        [ "$inside" ] || printf '%s\n' "$line"
+        case $line in
+        '<!-- begin: '*' -->')
+            inside=yes
+            line=${line#<!-- begin: }
+            block "${line% -->}"
+            ;;
+        esac
+    done
+    [ ! "$inside" ] || echo 'a block has no end'
+}
+
+# prose FILE: the text alone, without blocks, code, comments, and the targets of links.
+prose() {
+    sed -e '/^<!-- begin: /,/^<!-- end -->/d' -e '/^```/,/^```/d' -e '/^    /d' "$1" |
+        awk -v RS='' '{
+            gsub(/<!--[^>]*-->/, "")
+            gsub(/`[^`]*`/, "")
+            gsub(/\]\([^)]*\)/, "]")
+            print
+        }'
+}
+
+# Numbers of the text that stand neither in a block, however rounded, nor in a comment `given`.
+stale_numbers() {
+    {
+        sed -n -e '/^<!-- begin: /,/^<!-- end -->/p' -e '/^<!-- given: /p' "$1"
+        echo TEXT
+        prose "$1"
+        echo .
+    } | awk '
+        /^TEXT$/ { text = 1; next }
+        !text {
+            while (match($0, /[0-9]*[.]?[0-9]+/)) {
+                known[substr($0, RSTART, RLENGTH)]
+                $0 = substr($0, RSTART + RLENGTH)
+            }
+            next
+        }
+        { all = all " " $0 }
+        END {
+            unit = "(ns|ms|%|per cent|texels?|times|x|×)"
+            while (match(all, "[^A-Za-z0-9_.][0-9]*[.]?[0-9]+[ -]?" unit "[^A-Za-z0-9]")) {
+                found = substr(all, RSTART + 1, RLENGTH - 2)
+                all = substr(all, RSTART + RLENGTH - 1)
+                number = found
+                sub(/[ -]?[^0-9.].*$/, "", number)
+                decimals = index(number, ".") ? length(number) - index(number, ".") : 0
+                right = 0
+                form = "%." decimals "f"
+                for (n in known) right = right || sprintf(form, n) == sprintf(form, number)
+                if (!right) printf "%s; ", found
+            }
+        }'
+}
+
+broken_links() {
+    sed -n 's/\](/\n](/gp' "$1" | sed -n 's/^](\([^)#]*\).*/\1/p' | grep -v '^http' | grep . |
+        while read -r target; do
+            [ -e "$(dirname "$1")/$target" ] || printf '%s; ' "$target"
+        done
+}
+
+# expect NAME TEXT: a test that passes where the text is empty.
+expect() {
+    if [ ! "$2" ]; then
+        echo "ok $1"
+    else
+        echo "FAIL $1: $2"
+        failed=1
+    fi
+}
+
+check=
+if [ "${1-}" = --check ]; then
+    check=yes
+    shift
+fi
+[ $# -gt 0 ] || set -- README.md stage*/README.md
+failed=0
+new=$TEXMAP_BUILD/readme.$$
+for file; do
+    renew < "$file" > "$new" || exit 2
+    if [ ! "$check" ]; then
+        cmp -s "$new" "$file" || cp "$new" "$file"
+        continue
+    fi
+    most=$([ "$file" = README.md ] && echo 900 || echo 1500)
+    words=$(prose "$file" | wc -w)
+    expect "$file: blocks are what their commands print" "$(cmp -s "$new" "$file" ||
+        echo "line $(cmp "$new" "$file" | sed 's/.* //'); see make readme, and git diff")"
+    expect "$file: numbers stand in blocks" "$(stale_numbers "$file")"
+    expect "$file: links lead somewhere" "$(broken_links "$file")"
+    expect "$file: at most $most words" "$([ "$words" -le $most ] || echo "$words")"
+done
+rm -f "$new"
+exit $failed
