@@ -1,7 +1,7 @@
 #include "common/scene.h"
 
 #include <assert.h>
-#include "common/scene_parts.h"
+#include "common/camera.h"
 
 /* sin and cos themselves differ between C libraries and processors. */
 #define COS_10_DEGREES 0.98480775301220806
@@ -20,18 +20,6 @@ const char *scene_name(enum scene_id id)
     return id < SCENE_COUNT ? names[id] : NULL;
 }
 
-struct camera camera_facing(const struct view *view)
-{
-    int side = view->width > view->height ? view->width : view->height;
-
-    return (struct camera){
-        .rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-        .focal = side / 2.0,
-        .centre_x = (view->width - 1) / 2.0,
-        .centre_y = (view->height - 1) / 2.0,
-    };
-}
-
 /* Rolled, so that depth changes along every scanline, and edges fall at all sub-pixel positions. */
 static struct camera camera_rolled(const struct view *view)
 {
@@ -42,47 +30,6 @@ static struct camera camera_rolled(const struct view *view)
     camera.rotation[1][0] = SIN_10_DEGREES;
     camera.rotation[1][1] = COS_10_DEGREES;
     return camera;
-}
-
-struct clip_vertex camera_project(const struct camera *camera, const struct surface_point *point)
-{
-    double x = point->x - camera->eye[0];
-    double y = point->y - camera->eye[1];
-    double z = point->z - camera->eye[2];
-    double seen[3];
-
-    for (int i = 0; i < 3; i++) {
-        const double *axis = camera->rotation[i];
-        seen[i] = axis[0] * x + axis[1] * y + axis[2] * z;
-    }
-    return (struct clip_vertex){
-        .x = camera->focal * seen[0] + camera->centre_x * seen[2],
-        .y = camera->focal * seen[1] + camera->centre_y * seen[2],
-        .w = seen[2],
-        .u = point->u,
-        .v = point->v,
-    };
-}
-
-bool add_rectangle(const struct clip_vertex corners[4], const struct view *view,
-                   enum texture_id texture, struct triangle_list *list)
-{
-    const struct clip_vertex halves[2][3] = {{corners[0], corners[1], corners[2]},
-                                             {corners[0], corners[2], corners[3]}};
-
-    return clip_triangle(halves[0], view, texture, list) &&
-           clip_triangle(halves[1], view, texture, list);
-}
-
-static bool add_points(const struct camera *camera, const struct surface_point points[4],
-                       const struct view *view, enum texture_id texture, struct triangle_list *list)
-{
-    struct clip_vertex corners[4];
-
-    for (int i = 0; i < 4; i++) {
-        corners[i] = camera_project(camera, &points[i]);
-    }
-    return add_rectangle(corners, view, texture, list);
 }
 
 /* Before the roll 1/z = 5/8 - 3/8 s, linear on the screen, with s = x/z from -1 at the left edge to
@@ -104,7 +51,7 @@ static bool add_wall(const struct view *view, struct triangle_list *list)
         {left, half_height, near, TEXTURE_LOW, TEXTURE_HIGH},
     };
 
-    return add_points(&camera, points, view, TEXTURE_BRICKS, list);
+    return add_rectangle(&camera, points, TEXTURE_BRICKS, list);
 }
 
 /* A camera that looks down on a plane sees y = height - slope z there: on the screen
@@ -128,14 +75,14 @@ static bool add_floor(const struct view *view, struct triangle_list *list)
         {-half_width, height - slope * near, near, TEXTURE_LOW, TEXTURE_HIGH},
     };
 
-    return add_points(&camera, points, view, TEXTURE_TILES, list);
+    return add_rectangle(&camera, points, TEXTURE_TILES, list);
 }
 
 /* Grid points are regularly spaced on the unrolled screen, from -1 to 1 in a and b; their depth is
  * a gentle bulge without any symmetry. Half a percent more than the rolled frame needs. */
-static struct clip_vertex mesh_point(const struct camera *camera, const struct view *view,
-                                     int column, int row)
+static struct clip_vertex mesh_point(const struct camera *camera, int column, int row)
 {
+    const struct view *view = camera->view;
     const double margin = 1.005;
     double reach_x = (COS_10_DEGREES * view->width + SIN_10_DEGREES * view->height) * margin / 2;
     double reach_y = (COS_10_DEGREES * view->height + SIN_10_DEGREES * view->width) * margin / 2;
@@ -164,13 +111,13 @@ static bool add_mesh(const struct view *view, struct triangle_list *list)
         struct clip_vertex *below = lines[row % 2];
 
         for (int column = 0; column <= MESH_COLUMNS; column++) {
-            below[column] = mesh_point(&camera, view, column, row);
+            below[column] = mesh_point(&camera, column, row);
         }
         for (int column = 0; row > 0 && column < MESH_COLUMNS; column++) {
             const struct clip_vertex corners[4] = {above[column], above[column + 1],
                                                    below[column + 1], below[column]};
 
-            if (!add_rectangle(corners, view, TEXTURE_CRATE, list)) {
+            if (!add_corners(&camera, corners, TEXTURE_CRATE, list)) {
                 return false;
             }
         }

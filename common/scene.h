@@ -22,4 +22,7 @@ const char *scene_name(enum scene_id id);
  * False when there is no memory. */
 bool scene_build(enum scene_id id, int frame, const struct view *view, struct triangle_list *list);
 
+/* What scene_build does for the room. */
+bool add_room(int frame, const struct view *view, struct triangle_list *list);
+
 #endif

@@ -1,4 +1,5 @@
-#include "common/scene_parts.h"
+#include "common/camera.h"
+#include "common/scene.h"
 
 /* The room in metres: x right, y down with 0 on the floor, z along the brick wall. The camera looks
  * 15 degrees to the left of z and 14 down, from the height of a person's eyes. */
@@ -47,31 +48,8 @@ static struct camera room_camera(int frame, const struct view *view)
     return camera;
 }
 
-/* Six times the volume that three corners span with the eye: positive where they are seen in
- * clockwise order, whatever lies behind the camera. */
-static double facing(const struct clip_vertex v[3])
-{
-    return v[0].x * (v[1].y * v[2].w - v[2].y * v[1].w) +
-           v[1].x * (v[2].y * v[0].w - v[0].y * v[2].w) +
-           v[2].x * (v[0].y * v[1].w - v[1].y * v[0].w);
-}
-
-/* A rectangle, if its front is seen: corners in clockwise order. One sign decides for both
- * triangles; with one each, rounding could drop half a face that is seen edge-on. */
-static bool add_face(const struct camera *camera, const struct surface_point points[4],
-                     const struct view *view, enum texture_id texture, struct triangle_list *list)
-{
-    struct clip_vertex corners[4];
-
-    for (int i = 0; i < 4; i++) {
-        corners[i] = camera_project(camera, &points[i]);
-    }
-    return facing(corners) <= 0 || add_rectangle(corners, view, texture, list);
-}
-
 /* u and v are 0 half way, so that all corners keep within the limit. */
-static bool add_room_floor(const struct camera *camera, const struct view *view,
-                           struct triangle_list *list)
+static bool add_room_floor(const struct camera *camera, struct triangle_list *list)
 {
     const double right = (FLOOR_RIGHT - FLOOR_LEFT) / 2 * TEXELS_A_METRE;
     const double front = (FLOOR_BACK - BEHIND) / 2 * TEXELS_A_METRE;
@@ -82,11 +60,10 @@ static bool add_room_floor(const struct camera *camera, const struct view *view,
         {FLOOR_LEFT, 0, BEHIND, -right, front},
     };
 
-    return add_face(camera, points, view, TEXTURE_TILES, list);
+    return add_rectangle(camera, points, TEXTURE_TILES, list);
 }
 
-static bool add_room_wall(const struct camera *camera, const struct view *view,
-                          struct triangle_list *list)
+static bool add_room_wall(const struct camera *camera, struct triangle_list *list)
 {
     const double right = (WALL_BACK - BEHIND) * TEXELS_A_METRE;
     const double bottom = WALL_HEIGHT * TEXELS_A_METRE;
@@ -97,12 +74,11 @@ static bool add_room_wall(const struct camera *camera, const struct view *view,
         {WALL_X, 0, BEHIND, 0, bottom},
     };
 
-    return add_face(camera, points, view, TEXTURE_BRICKS, list);
+    return add_rectangle(camera, points, TEXTURE_BRICKS, list);
 }
 
 /* Turned by the angle with tan(angle/2) = t: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2). */
-static bool add_crate(int frame, const struct camera *camera, const struct view *view,
-                      struct triangle_list *list)
+static bool add_crate(int frame, const struct camera *camera, struct triangle_list *list)
 {
     /* Bit 0 of a corner says right, bit 1 bottom, bit 2 back. Faces: front, right, back, left, top,
      * bottom, each clockwise from its upper left corner as seen from outside. */
@@ -129,7 +105,7 @@ static bool add_crate(int frame, const struct camera *camera, const struct view 
                 .v = v[i],
             };
         }
-        if (!add_face(camera, points, view, TEXTURE_CRATE, list)) {
+        if (!add_rectangle(camera, points, TEXTURE_CRATE, list)) {
             return false;
         }
     }
@@ -140,6 +116,6 @@ bool add_room(int frame, const struct view *view, struct triangle_list *list)
 {
     const struct camera camera = room_camera(frame, view);
 
-    return add_room_floor(&camera, view, list) && add_room_wall(&camera, view, list) &&
-           add_crate(frame, &camera, view, list);
+    return add_room_floor(&camera, list) && add_room_wall(&camera, list) &&
+           add_crate(frame, &camera, list);
 }

@@ -1,9 +1,8 @@
-/* Screen triangles in drawing order, and the .tri files that hold them. */
+/* Screen triangles in drawing order. */
 #ifndef COMMON_TRIANGLE_H
 #define COMMON_TRIANGLE_H
 
 #include <stddef.h>
-#include "common/error.h"
 #include "common/texture.h"
 #include "common/vertex.h"
 
@@ -27,15 +26,5 @@ void triangle_list_destroy(struct triangle_list *list);
 /* Rounds a coordinate to the nearest multiple of 2^-16, halves up: floor(c 2^16 + 1/2) / 2^16.
  * A float of 256 or more is coarser than that, and stays as it is. */
 float round_to_grid(float coordinate);
-
-/* Reads a .tri file: a vertex a line, `x y z u v`; every three lines a triangle; `#` starts a
- * comment; blank lines do not count. Numbers become floats, x and y are then rounded to the grid.
- * The triangles are as given: clip them before drawing. Texture: coord.
- * On failure `error` says FILE:LINE: what, and `list` is left empty. */
-bool tri_read(const char *path, struct triangle_list *list, struct error *error);
-
-/* Writes a .tri file with nine significant digits, so that tri_read gives the same floats back.
- * On failure no file is left behind. */
-bool tri_write(const char *path, const struct triangle_list *list, struct error *error);
 
 #endif

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 #define OBJECT_MAX (1 << 20) /* bytes */
 #define FEATURE_1_AND 0xc0000002u /* GNU_PROPERTY_X86_FEATURE_1_AND, and its bits */

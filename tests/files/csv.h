@@ -4,7 +4,7 @@
 #define TESTS_CSV_H
 
 #include <stddef.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 struct csv {
     const char *path; /* for messages; the caller keeps it */

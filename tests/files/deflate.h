@@ -1,6 +1,6 @@
 /* Lossless packing by LZ77 and deflate's fixed Huffman code, as PNG files need it. */
-#ifndef COMMON_DEFLATE_H
-#define COMMON_DEFLATE_H
+#ifndef TESTS_FILES_DEFLATE_H
+#define TESTS_FILES_DEFLATE_H
 
 #include <stddef.h>
 #include <stdint.h>

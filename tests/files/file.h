@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 /* Opens an output for writing. A regular file is written under another name in its folder, and is
  * renamed by file_finish: until then what was there stays, and SIGINT, SIGTERM and SIGHUP wait. A

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 /* Makes the folder, and those that it lies in, where they are not there yet. *made is the length of
  * the shortest path that was made, 0 for none. On failure those made are gone again. */

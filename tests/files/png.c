@@ -1,5 +1,5 @@
 /* PNG pictures: 8 bits a channel, RGB. */
-#include "common/image.h"
+#include "tests/files/picture.h"
 
 #include <stdlib.h>
 #include <string.h>

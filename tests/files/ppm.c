@@ -1,5 +1,5 @@
 /* Binary PPM pictures (P6): three bytes a pixel behind a header of text. */
-#include "common/image.h"
+#include "tests/files/picture.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -11,6 +11,11 @@
 #define CHANNEL_MAX 255
 #define BYTES_PER_PIXEL 3
 #define DIGITS_MAX 18 /* a number of so many digits fits a long long */
+
+bool texture_side_valid(int side)
+{
+    return side >= 1 && side <= TEXTURE_SIDE_MAX && (side & (side - 1)) == 0;
+}
 
 struct reader {
     FILE *file;

@@ -4,6 +4,7 @@
 #define _GNU_SOURCE
 #include <string.h>
 #include "common/image.h"
+#include "tests/files/picture.h"
 #include "tests/long/fuzz_file.h"
 
 #define ALPHA 0xFF000000u

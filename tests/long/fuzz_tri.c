@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 #include "common/clip.h"
+#include "tests/files/tri.h"
 #include "tests/long/fuzz_file.h"
 
 #define WIDTH 37 /* pixels, of the frame that is clipped to */

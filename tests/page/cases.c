@@ -4,6 +4,7 @@
 #include <string.h>
 #include "common/clip.h"
 #include "common/scene.h"
+#include "tests/files/tri.h"
 #include "tests/exact/exact.h"
 #include "tests/page/report.h"
 #include "tests/stability/stability.h"

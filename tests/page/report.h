@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 #include <stdio.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);

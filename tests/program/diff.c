@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "tests/files/picture.h"
 #include "tests/program/commands.h"
 #include "tests/exact/meter.h"
 #include "tests/program/source.h"

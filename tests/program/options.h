@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 #include "tests/program/stages.h"
 
 /* Sets of options are sums of these. */

@@ -1,4 +1,5 @@
 /* texmap render: draws a source with one stage and writes the picture. */
+#include "tests/files/picture.h"
 #include "tests/program/commands.h"
 #include "tests/program/source.h"
 

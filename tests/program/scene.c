@@ -1,4 +1,5 @@
 /* texmap scene: writes the triangles that the stages would draw. */
+#include "tests/files/tri.h"
 #include "tests/program/commands.h"
 #include "tests/program/source.h"
 

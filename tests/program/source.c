@@ -1,3 +1,5 @@
+#include "tests/files/picture.h"
+#include "tests/files/tri.h"
 #include "tests/program/source.h"
 
 #include <string.h>

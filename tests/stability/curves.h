@@ -2,7 +2,7 @@
 #ifndef TESTS_STABILITY_CURVES_H
 #define TESTS_STABILITY_CURVES_H
 
-#include "common/error.h"
+#include "tests/files/error.h"
 #include "tests/stability/measure.h"
 
 #define CURVE_POINTS_MAX 128

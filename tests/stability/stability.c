@@ -1,3 +1,4 @@
+#include "tests/files/tri.h"
 #include "tests/stability/stability.h"
 
 #include <math.h>

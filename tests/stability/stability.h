@@ -3,7 +3,7 @@
 #ifndef TESTS_STABILITY_H
 #define TESTS_STABILITY_H
 
-#include "common/error.h"
+#include "tests/files/error.h"
 #include "tests/stability/measure.h"
 
 enum verdict {

@@ -5,6 +5,7 @@
 #define TESTS_TRACE_H
 
 #include <stdio.h>
+#include "tests/files/error.h"
 #include "common/triangle.h"
 #include "tests/program/stages.h"
 

@@ -1,4 +1,6 @@
 #define _XOPEN_SOURCE 700
+#include "tests/files/picture.h"
+#include "tests/files/tri.h"
 #include "tests/unit/files.h"
 
 #include <errno.h>

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/triangle.h"
+#include "tests/files/picture.h"
+#include "tests/files/tri.h"
 #include "tests/unit/check.h"
 #include "tests/program/options.h"
 #include "tests/unit/test.h"

@@ -1,3 +1,4 @@
+#include "tests/files/picture.h"
 #include "tests/unit/files.h"
 
 #include <stdio.h>

@@ -2,6 +2,7 @@
 #ifndef TESTS_PNG_DECODE_H
 #define TESTS_PNG_DECODE_H
 
+#include "tests/files/error.h"
 #include "common/image.h"
 
 /* Decodes an 8-bit RGB PNG of the chunks IHDR, IDAT, IEND, whose data are stored or in the fixed

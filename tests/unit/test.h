@@ -3,7 +3,7 @@
 #define TESTS_TEST_H
 
 #include <stdbool.h>
-#include "common/error.h"
+#include "tests/files/error.h"
 
 /* GROUP(its name, a function that is part of it), in the order in which they are run. */
 #define TEST_GROUPS \

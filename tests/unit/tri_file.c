@@ -1,4 +1,5 @@
 #define _POSIX_C_SOURCE 200809L
+#include "tests/files/tri.h"
 #include "tests/unit/files.h"
 
 #include <errno.h>

@@ -1,8 +1,8 @@
-/* What the files of the scene share: a camera, and rectangles seen by it. */
-#ifndef COMMON_SCENE_PARTS_H
-#define COMMON_SCENE_PARTS_H
+/* A camera, and rectangles seen by it. */
+#ifndef COMMON_CAMERA_H
+#define COMMON_CAMERA_H
 
-#include "common/scene.h"
+#include "common/clip.h"
 
 /* A point of a surface: position in view units (right, down, forward), texture in texels. */
 struct surface_point {
@@ -14,6 +14,7 @@ struct surface_point {
  * forward. What lies at (x, y, z) along them appears focal x/z pixels right of the frame's centre
  * and focal y/z below it. */
 struct camera {
+    const struct view *view; /* what it shows: clipped to */
     double eye[3];
     double rotation[3][3];
     double focal;              /* pixels */
@@ -26,11 +27,13 @@ struct camera camera_facing(const struct view *view);
 
 struct clip_vertex camera_project(const struct camera *camera, const struct surface_point *point);
 
-/* Clips and appends the rectangle with these corners, in order around it. Its two triangles share
+/* Clips and appends what lies between these corners, in order around it, as two triangles that share
  * the diagonal from corner 0 to 2. False when there is no memory. */
-bool add_rectangle(const struct clip_vertex corners[4], const struct view *view,
-                   enum texture_id texture, struct triangle_list *list);
+bool add_corners(const struct camera *camera, const struct clip_vertex corners[4],
+                 enum texture_id texture, struct triangle_list *list);
 
-bool add_room(int frame, const struct view *view, struct triangle_list *list);
+/* The same for a rectangle, if its front is seen: the side from which they are in clockwise order. */
+bool add_rectangle(const struct camera *camera, const struct surface_point points[4],
+                   enum texture_id texture, struct triangle_list *list);
 
 #endif

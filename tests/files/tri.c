@@ -1,5 +1,5 @@
 /* .tri files: screen triangles as text. */
-#include "common/triangle.h"
+#include "tests/files/tri.h"
 
 #include <ctype.h>
 #include <errno.h>

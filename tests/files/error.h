@@ -1,7 +1,7 @@
 /* How a function outside main() reports what went wrong: it returns false with one line of text,
  * "WHERE: WHAT" without a newline, and leaves printing and exiting to main(). */
-#ifndef COMMON_ERROR_H
-#define COMMON_ERROR_H
+#ifndef TESTS_FILES_ERROR_H
+#define TESTS_FILES_ERROR_H
 
 #include <stdbool.h>
 

@@ -1,4 +1,4 @@
-#include "common/error.h"
+#include "tests/files/error.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,0 +1,45 @@
+#include "tests/files/picture.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "tests/files/file.h"
+
+typedef bool encoder(const struct image *image, unsigned char **bytes, size_t *size);
+
+/* The encoder that the path's ending asks for, or NULL. */
+static encoder *encoder_of(const char *path)
+{
+    size_t length = strlen(path);
+    const char *ending = length < 4 ? "" : path + length - 4;
+
+    if (strcmp(ending, ".png") == 0) {
+        return png_encode;
+    }
+    return strcmp(ending, ".ppm") == 0 ? ppm_encode : NULL;
+}
+
+bool image_path_valid(const char *path, struct error *error)
+{
+    return encoder_of(path) || error_set(error, "%s: must end in .png or .ppm", path);
+}
+
+bool image_write(const char *path, const struct image *image, struct error *error)
+{
+    unsigned char *bytes;
+    size_t size;
+
+    if (!image_path_valid(path, error)) {
+        return false;
+    }
+    if (!encoder_of(path)(image, &bytes, &size)) {
+        return error_set(error, "%s: no memory for a picture of %d x %d pixels", path, image->width,
+                         image->height);
+    }
+    FILE *file = file_create(path, error);
+
+    if (file) {
+        fwrite(bytes, 1, size, file);
+    }
+    free(bytes);
+    return file && file_finish(file, path, error);
+}
