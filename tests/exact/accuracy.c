@@ -121,7 +121,7 @@ static bool measure_all(struct meter *meter, struct source *source,
                         struct accuracy accuracy[], void (*progress)(int done, int frames),
                         struct error *error)
 {
-    if (!jitter_measure(meter, source, chosen, count, jitter, progress, error)) {
+    if (!jitter_measure(meter, source, chosen, count, jitter, NULL, progress, error)) {
         return false;
     }
     if (!accuracy_frames(meter, &source->triangles, chosen, count, 0, accuracy)) {

@@ -8,25 +8,28 @@ struct drift {
     float u, v;
 };
 
+/* Of one stage. Frames are drawn from the last to the first; change f lies between frames f - 1
+ * and f. */
 struct jitter {
-    struct drift *previous; /* a pixel's, in the frame before */
-    double sum;             /* of the squared changes */
-    size_t count;           /* of the pixels they were found in, over all frames */
+    struct drift *previous;       /* a pixel's, in the frame drawn before */
+    double sums[JITTER_FRAMES];   /* of the squared changes */
+    size_t counts[JITTER_FRAMES]; /* of the pixels they were found in */
 };
 
-static void jitter_add(struct jitter *jitter, size_t pixel, struct drift now)
+/* `change` is JITTER_FRAMES, and there is none, in the frame that is drawn first. */
+static void jitter_add(struct jitter *jitter, int change, size_t pixel, struct drift now)
 {
     const struct drift previous = jitter->previous[pixel];
 
     jitter->previous[pixel] = now;
     if (!isnan(now.u) && !isnan(previous.u)) {
         const double du = now.u - previous.u, dv = now.v - previous.v;
-        jitter->sum += du * du + dv * dv;
-        jitter->count++;
+        jitter->sums[change] += du * du + dv * dv;
+        jitter->counts[change]++;
     }
 }
 
-static void jitter_stage(struct jitter *jitter, struct meter *meter,
+static void jitter_stage(struct jitter *jitter, int change, struct meter *meter,
                          const struct triangle_list *list, const struct stage *stage, int scale)
 {
     meter_draw_surfaces(meter, list, stage->draw);
@@ -37,12 +40,12 @@ static void jitter_stage(struct jitter *jitter, struct meter *meter,
         if (meter_read(meter, pixel, stage->truncates, &u, &v)) {
             now = (struct drift){(float)(u.error / scale), (float)(v.error / scale)};
         }
-        jitter_add(jitter, pixel, now);
+        jitter_add(jitter, change, pixel, now);
     }
 }
 
 /* A perfect mapper reads the step nearest to the exact coordinate. */
-static void jitter_perfect(struct jitter *jitter, const struct meter *meter, int scale)
+static void jitter_perfect(struct jitter *jitter, int change, const struct meter *meter, int scale)
 {
     for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
         struct drift now = {NAN, NAN};
@@ -50,7 +53,7 @@ static void jitter_perfect(struct jitter *jitter, const struct meter *meter, int
             now.u = meter->exact[pixel].u.rest / (float)scale;
             now.v = meter->exact[pixel].v.rest / (float)scale;
         }
-        jitter_add(jitter, pixel, now);
+        jitter_add(jitter, change, pixel, now);
     }
 }
 
@@ -70,9 +73,9 @@ static bool measure_frames(struct meter *meter, struct source *source,
         const int scale = ruler_scale(&source->triangles);
         meter_exact(meter, &source->triangles, 0, scale);
         for (int i = 0; i < count; i++) {
-            jitter_stage(&jitter[i], meter, &source->triangles, chosen[i], scale);
+            jitter_stage(&jitter[i], frame + 1, meter, &source->triangles, chosen[i], scale);
         }
-        jitter_perfect(&jitter[count], meter, scale);
+        jitter_perfect(&jitter[count], frame + 1, meter, scale);
         if (progress) {
             progress(JITTER_FRAMES - frame, JITTER_FRAMES);
         }
@@ -106,9 +109,25 @@ static struct jitter *jitters_create(int count, size_t pixels)
     return jitter;
 }
 
+/* Of all frames, and frame by frame unless `frames` is NULL. */
+static double jitter_result(const struct jitter *jitter, double frames[JITTER_FRAMES])
+{
+    double sum = 0;
+    size_t count = 0;
+
+    for (int f = 0; f < JITTER_FRAMES; f++) {
+        sum += jitter->sums[f];
+        count += jitter->counts[f];
+        if (frames) {
+            frames[f] = jitter->counts[f] ? sqrt(jitter->sums[f] / (double)jitter->counts[f]) : NAN;
+        }
+    }
+    return count > 0 ? sqrt(sum / (double)count) : 0;
+}
+
 bool jitter_measure(struct meter *meter, struct source *source, const struct stage *const chosen[],
-                    int count, double rms[], void (*progress)(int done, int frames),
-                    struct error *error)
+                    int count, double rms[], double frames[][JITTER_FRAMES],
+                    void (*progress)(int done, int frames), struct error *error)
 {
     struct jitter *jitter = jitters_create(count + 1, meter_pixels(meter));
 
@@ -118,7 +137,7 @@ bool jitter_measure(struct meter *meter, struct source *source, const struct sta
     const bool measured =
         measure_frames(meter, source, chosen, count, jitter, progress, error);
     for (int i = 0; measured && i <= count; i++) {
-        rms[i] = jitter[i].count > 0 ? sqrt(jitter[i].sum / (double)jitter[i].count) : 0;
+        rms[i] = jitter_result(&jitter[i], frames ? frames[i] : NULL);
     }
     jitters_destroy(jitter, count + 1);
     return measured;

@@ -2,15 +2,10 @@
  * fail are farthest off. */
 #include <stdlib.h>
 #include <string.h>
-#include "common/clip.h"
-#include "common/scene.h"
-#include "tests/files/tri.h"
 #include "tests/exact/exact.h"
 #include "tests/page/report.h"
 #include "tests/stability/stability.h"
 
-#define CASES "tests/cases/"
-#define PATH_LENGTH 128
 #define WINDOW_WIDTH 64
 #define WINDOW_HEIGHT 48
 #define PLANES 3 /* texel u, texel v, and whether anything was drawn, a byte each */
@@ -18,49 +13,17 @@
 
 /* One case: all stages' frames, one after the other, and the exact answer's, which is kept. */
 struct scenery {
-    const struct stability_row *row;
-    struct triangle_list list;
+    const struct stability_case *row;
     struct image texture, frame, exact;
     size_t window_x, window_y; /* the window's first pixel */
 };
 
-static const char *source_of(const struct stability_row *row, char path[PATH_LENGTH])
-{
-    snprintf(path, PATH_LENGTH, CASES "%s.tri", row->name);
-    for (char *c = path; *c; c++) {
-        *c = *c == ' ' ? '_' : *c;
-    }
-    return path;
-}
-
-static bool is_scene(const struct stability_row *row)
-{
-    return strcmp(row->name, scene_name(SCENE_FLOOR)) == 0;
-}
-
-static bool clip_case(struct scenery *scenery, struct error *error)
-{
-    const struct view view = {scenery->row->width, scenery->row->height, 0, 0};
-    struct triangle_list given = {0};
-    char path[PATH_LENGTH];
-
-    if (is_scene(scenery->row)) {
-        return scene_build(SCENE_FLOOR, 0, &view, &scenery->list) ||
-               error_set(error, "report: no memory for a case");
-    }
-    if (!tri_read(source_of(scenery->row, path), &given, error)) {
-        return false;
-    }
-    const bool clipped = clip_screen_triangles(&given, &view, &scenery->list);
-    triangle_list_destroy(&given);
-    return clipped || error_set(error, "report: no memory for a case");
-}
-
 static void scenery_draw(const struct scenery *scenery, draw_triangle *draw, struct image *frame)
 {
     memset(frame->pixels, 0, (size_t)frame->stride * (size_t)frame->height * sizeof *frame->pixels);
-    for (size_t i = 0; i < scenery->list.count; i++) {
-        draw(frame, &scenery->texture, scenery->list.items[i].v);
+    const struct triangle_list *list = &scenery->row->source.triangles;
+    for (size_t i = 0; i < list->count; i++) {
+        draw(frame, &scenery->texture, list->items[i].v);
     }
 }
 
@@ -92,7 +55,7 @@ static void window_find(struct scenery *scenery, const struct stability_stages *
 
     for (int i = 0; i < chosen->count; i++) {
         const struct stage *stage = chosen->items[i];
-        const bool fails = stability_expected(scenery->row, stage).verdict == VERDICT_FAILS;
+        const bool fails = scenery->row->expected[i].kind == EXPECT_VALUE;
         scenery_draw(scenery, stage->draw, &scenery->frame);
         for (size_t pixel = 0; pixel < pixels; pixel++) {
             const uint32_t drawn = scenery->frame.pixels[pixel];
@@ -140,70 +103,56 @@ static bool print_windows(FILE *out, struct scenery *scenery,
     return json_packed(out, bytes[0], (size_t)(chosen->count + 1) * sizeof bytes[0]);
 }
 
-static bool print_case(FILE *out, const struct stability_row *row,
+static bool print_case(FILE *out, const struct stability_case *row,
                        const struct stability_stages *chosen, struct error *error)
 {
+    const struct size size = row->source.size;
     struct scenery scenery = {.row = row};
-    bool printed = clip_case(&scenery, error);
+    const bool printed = texture_create(&scenery.texture, TEXTURE_COORD) &&
+                         image_create(&scenery.frame, size.width, size.height) &&
+                         image_create(&scenery.exact, size.width, size.height) &&
+                         print_windows(out, &scenery, chosen);
 
-    if (printed) {
-        printed = (texture_create(&scenery.texture, TEXTURE_COORD) &&
-                   image_create(&scenery.frame, row->width, row->height) &&
-                   image_create(&scenery.exact, row->width, row->height) &&
-                   print_windows(out, &scenery, chosen)) ||
-                  error_set(error, "report: no memory for a case");
-    }
-    triangle_list_destroy(&scenery.list);
     image_destroy(&scenery.texture);
     image_destroy(&scenery.frame);
     image_destroy(&scenery.exact);
-    return printed;
+    return printed || error_set(error, "report: no memory for a case");
 }
 
-/* The file itself, with its comments: they say what fails, and what mends it. */
-static void print_source(FILE *out, const struct stability_row *row)
+/* The file itself. */
+static void print_source(FILE *out, const struct stability_case *row)
 {
-    char path[PATH_LENGTH], text[8192];
-    FILE *file = is_scene(row) ? NULL : fopen(source_of(row, path), "r");
+    char text[8192];
+    FILE *file = fopen(row->path, "r");
     const size_t length = file ? fread(text, 1, sizeof text - 1, file) : 0;
 
     text[length] = '\0';
     if (file) {
         fclose(file);
     }
-    fprintf(out, ",\"source\":\"%s %s\",\"file\":", is_scene(row) ? "--scene" : "--triangles",
-            is_scene(row) ? row->name : path);
+    fprintf(out, ",\"source\":\"--triangles %s\",\"file\":", row->path);
     json_string(out, text);
 }
 
-static const char *verdict_of(struct expectation expected, double value)
-{
-    if (!stability_as_expected(expected, value)) {
-        return "unexpected";
-    }
-    return expected.verdict == VERDICT_HOLDS   ? "holds"
-           : expected.verdict == VERDICT_FAILS ? "fails"
-                                               : "no promise";
-}
-
-static bool print_row(FILE *out, struct lab *lab, const struct stability_row *row,
-                      const struct stability_stages *chosen, struct error *error)
+static bool print_row(FILE *out, struct stability_case *row, const struct stability_stages *chosen,
+                      struct error *error)
 {
     double values[STABILITY_STAGES];
 
-    if (!stability_measure(lab, row, chosen, values, error)) {
+    if (!stability_measure(row, chosen, values, error)) {
         return false;
     }
     fprintf(out, "{\"name\":\"%s\",\"what\":\"%s\",\"unit\":\"%s\",\"size\":\"%dx%d\",\"reason\":",
-            row->name, row->what, row->unit, row->width, row->height);
-    json_string(out, row->reason);
+            row->name, row->measure->name, row->measure->unit, row->source.size.width,
+            row->source.size.height);
+    json_string(out, row->why);
     fprintf(out, ",\"cells\":[");
     for (int i = 0; i < chosen->count; i++) {
-        const struct expectation expected = stability_expected(row, chosen->items[i]);
+        const struct expectation expected = row->expected[i];
         fprintf(out, "%s{\"value\":", i > 0 ? "," : "");
         json_number(out, values[i]);
-        fprintf(out, ",\"verdict\":\"%s\",\"amount\":", verdict_of(expected, values[i]));
-        json_number(out, expected.amount);
+        fprintf(out, ",\"verdict\":\"%s\",\"amount\":", stability_verdict(expected, values[i]));
+        json_number(out, expected.kind == EXPECT_VALUE ? expected.value : expected.tolerance);
         fprintf(out, "}");
     }
     fprintf(out, "]");
@@ -213,22 +162,14 @@ static bool print_row(FILE *out, struct lab *lab, const struct stability_row *ro
     return printed;
 }
 
-/* Are the cases at hand? They lie in the project's folder. */
-static bool cases_found(void)
-{
-    char path[PATH_LENGTH];
-    FILE *file = fopen(source_of(&stability_rows[0], path), "r");
-
-    return file && fclose(file) == 0;
-}
-
 bool report_cases(FILE *out, struct error *error)
 {
+    static char paths[STABILITY_CASES_MAX][128];
     const struct stability_stages chosen = stability_stages();
-    struct lab lab = {0};
+    const int count = stability_list(paths, error);
     bool printed = true;
 
-    if (!cases_found()) {
+    if (count < 0) { /* the cases lie in the project's folder */
         fprintf(out, "null");
         return true;
     }
@@ -237,11 +178,15 @@ bool report_cases(FILE *out, struct error *error)
         fprintf(out, "%s\"%s\"", i > 0 ? "," : "", chosen.items[i]->name);
     }
     fprintf(out, "],\n\"rows\":[");
-    for (int r = 0; printed && r < stability_row_count; r++) {
+    for (int r = 0; printed && r < count; r++) {
+        struct stability_case row;
         fputs(r > 0 ? ",\n" : "", out);
-        printed = print_row(out, &lab, &stability_rows[r], &chosen, error);
+        printed = stability_open(&row, paths[r], &chosen, error);
+        if (printed) {
+            printed = print_row(out, &row, &chosen, error);
+            stability_close(&row);
+        }
     }
     fprintf(out, "]}");
-    lab_close(&lab);
     return printed;
 }

@@ -3,13 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/page/report.h"
-#include "tests/stability/jitter.h"
-
-#define WIDTH 256 /* the frame in which it moves, as in tests/cases/swim.tri */
-#define HEIGHT 256
-static const struct triangle moving = {
-    .v = {{20.3f, 20.7f, 2, 0, 0}, {230.4f, 40.2f, 6, 255, 0}, {60.6f, 235.1f, 3, 0, 255}},
-    .texture = TEXTURE_COORD};
+#include "tests/exact/jitter.h"
+#include "tests/stability/stability.h"
 
 #define FRAMES 64 /* one pixel in all */
 #define SIDE 96   /* of the window, whose first pixel is WINDOW, WINDOW */
@@ -33,25 +28,26 @@ static void put_window(unsigned char *bytes, int stage, int f, const struct imag
 }
 
 static bool draw_frames(unsigned char *bytes, const struct stability_stages *chosen,
-                        const struct triangle_list *given)
+                        struct source *source)
 {
+    const struct size size = source->size;
+    const struct triangle_list *list = &source->triangles;
     struct image texture = {0}, frame = {0};
-    struct triangle_list list = {0};
-    bool memory = texture_create(&texture, TEXTURE_COORD) && image_create(&frame, WIDTH, HEIGHT);
+    struct error error;
+    bool memory =
+        texture_create(&texture, TEXTURE_COORD) && image_create(&frame, size.width, size.height);
 
     for (int f = 0; memory && f < FRAMES; f++) {
-        const struct view view = {WIDTH, HEIGHT, f * JITTER_SHIFT, 0};
-        list.count = 0;
-        memory = clip_screen_triangles(given, &view, &list);
+        memory = source_clip(source, f * JITTER_SHIFT, 0, &error);
         for (int i = 0; memory && i < STAGES; i++) {
-            memset(frame.pixels, 0, (size_t)WIDTH * HEIGHT * sizeof *frame.pixels);
-            for (size_t k = 0; k < list.count; k++) {
-                chosen->items[i]->draw(&frame, &texture, list.items[k].v);
+            memset(frame.pixels, 0,
+                   (size_t)frame.stride * (size_t)frame.height * sizeof *frame.pixels);
+            for (size_t k = 0; k < list->count; k++) {
+                chosen->items[i]->draw(&frame, &texture, list->items[k].v);
             }
             put_window(bytes, i, f, &frame);
         }
     }
-    triangle_list_destroy(&list);
     image_destroy(&texture);
     image_destroy(&frame);
     return memory;
@@ -59,15 +55,17 @@ static bool draw_frames(unsigned char *bytes, const struct stability_stages *cho
 
 /* Each stage's jitter, of all JITTER_FRAMES frames and of each of those that are shown. */
 static bool print_jitter(FILE *out, const struct stability_stages *chosen,
-                         const struct triangle_list *given)
+                         struct source *source)
 {
-    static double frames[STABILITY_STAGES][JITTER_FRAMES];
-    double values[STABILITY_STAGES];
-    struct lab lab = {0};
-    const bool memory = stability_jitter(&lab, given, WIDTH, HEIGHT, JITTER_SHIFT, 0, chosen,
-                                         frames, values);
+    static double frames[STAGES + 1][JITTER_FRAMES];
+    double values[STAGES + 1];
+    struct meter meter = {0};
+    struct error error;
+    const bool memory =
+        meter_create(&meter, source->size.width, source->size.height) &&
+        jitter_measure(&meter, source, chosen->items, STAGES, values, frames, NULL, &error);
 
-    lab_close(&lab);
+    meter_destroy(&meter);
     for (int i = 0; memory && i < STAGES; i++) {
         fprintf(out, "%s{\"name\":\"%s\",\"jitter_rms\":", i > 0 ? ",\n" : "",
                 chosen->items[i]->name);
@@ -86,17 +84,22 @@ bool report_swim(FILE *out, struct error *error)
 {
     const struct stability_stages chosen = {.items = {stage_find("2"), stage_find("3")},
                                             .count = STAGES};
-    struct triangle triangle = moving;
-    const struct triangle_list given = {&triangle, 1, 1};
+    struct stability_case row;
     unsigned char *bytes = malloc(BYTES);
 
+    if (!stability_open(&row, STABILITY_FOLDER "/swim.tri", &chosen, error)) {
+        free(bytes);
+        fprintf(out, "null");
+        return true; /* the cases lie in the project's folder */
+    }
     fprintf(out, "{\"side\":%d,\"window\":%d,\"frames\":%d,\"no_texel\":%d,\n\"stages\":[", SIDE,
             WINDOW, FRAMES, NO_TEXEL);
-    bool printed =
-        bytes && draw_frames(bytes, &chosen, &given) && print_jitter(out, &chosen, &given);
+    bool printed = bytes && draw_frames(bytes, &chosen, &row.source) &&
+                   print_jitter(out, &chosen, &row.source);
     fprintf(out, "],\n\"texels\":");
     printed = printed && json_packed(out, bytes, BYTES);
     fprintf(out, "}");
+    stability_close(&row);
     free(bytes);
     return printed || error_set(error, "report: no memory for the swim");
 }

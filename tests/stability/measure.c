@@ -1,12 +1,57 @@
 #include "tests/stability/measure.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
-#include "tests/exact/accuracy.h"
+#include "tests/exact/exact.h"
+#include "tests/exact/jitter.h"
 
-static bool is_coda(const struct stage *stage)
+/* Pixels. `due` is how many of the triangles cover a pixel, exactly, by the top-left rule. */
+struct hits {
+    double missing;  /* due, and hit by none */
+    double extra;    /* not due, and hit */
+    double twice;    /* hit more often than due, and more than once */
+    double coverage; /* hit more often or less than due */
+    double outside;  /* hit with a texel outside the triangle's own range */
+};
+
+/* A position that is right still differs from the exact one by rounding: u, v of the ruler are
+ * floats. A perfect mapper, seen through a ruler of 1/64 texel on two axes in two frames, jitters
+ * by sqrt(2 2 / 12) / 64 = .0090 texel. */
+#define POSITION_HOLDS 0.002
+#define JITTER_HOLDS 0.010
+
+static const struct measure measures[] = {
+    {"missing", "pixels", "drawn by no triangle, though covered", 0, BY_HITS,
+     offsetof(struct hits, missing)},
+    {"extra", "pixels", "drawn, though not covered", 0, BY_HITS, offsetof(struct hits, extra)},
+    {"twice", "pixels", "drawn by more triangles than cover them", 0, BY_HITS,
+     offsetof(struct hits, twice)},
+    {"coverage", "pixels", "drawn by more or fewer triangles than cover them", 0, BY_HITS,
+     offsetof(struct hits, coverage)},
+    {"outside", "pixels", "with a texel outside their triangle's own range", 0, BY_HITS,
+     offsetof(struct hits, outside)},
+    {"unlike", "pixels", "with another texel than a neighbour at the same coordinate", 0,
+     BY_NEIGHBOURS, 0},
+    {"wrong_texel_pct", "%", "of the pixels with a wrong texel", 0, BY_ACCURACY,
+     offsetof(struct accuracy, wrong_texel_pct)},
+    {"bias_u", "texels", "mean of u's index minus the right one's", 0, BY_ACCURACY,
+     offsetof(struct accuracy, bias_u)},
+    {"position_max", "texels", "largest position error", POSITION_HOLDS, BY_ACCURACY,
+     offsetof(struct accuracy, position_max)},
+    {"jitter_rms", "texels", "jitter while everything moves right by 1/64 pixel a frame",
+     JITTER_HOLDS, BY_JITTER, 0},
+    {NULL, NULL, NULL, 0, BY_HITS, 0},
+};
+
+const struct measure *measure_find(const char *name)
 {
-    return strcmp(stage->name, "coda") == 0;
+    for (const struct measure *measure = measures; measure->name; measure++) {
+        if (strcmp(measure->name, name) == 0) {
+            return measure;
+        }
+    }
+    return NULL;
 }
 
 struct stability_stages stability_stages(void)
@@ -14,129 +59,187 @@ struct stability_stages stability_stages(void)
     struct stability_stages chosen = {.count = 0};
 
     for (const struct stage *stage = stages; stage->name; stage++) {
-        if ((stage->digit || is_coda(stage)) && chosen.count < STABILITY_STAGES) {
+        if ((stage->digit || strcmp(stage->name, "coda") == 0) && chosen.count < STABILITY_STAGES) {
             chosen.items[chosen.count++] = stage;
         }
     }
     return chosen;
 }
 
-int edges_grid(const struct stage *stage)
+/* Is the texel one of floor(min + 1/2) .. ceil(max - 1/2)? The texture repeats. */
+static bool in_own_range(uint32_t texel, float a, float b, float c)
 {
-    return stage->grid;
+    const int low = (int)floor(fmin(a, fmin(b, c)) + 0.5);
+    const int high = (int)ceil(fmax(a, fmax(b, c)) - 0.5);
+
+    return ((texel - (uint32_t)low) & (TEXTURE_SIDE - 1)) <= (uint32_t)(high - low);
 }
 
-int texels_grid(const struct stage *stage)
-{
-    return is_coda(stage) ? 0 : stage->grid; /* its gradients come from the vertices as given */
-}
+/* What was counted in one pixel. */
+struct tally {
+    uint16_t hit, due, outside;
+};
 
-bool lab_fit(struct lab *lab, int width, int height)
+static bool row_is_clear(const uint32_t *row, int width)
 {
-    if (lab->width == width && lab->height == height) {
-        return true;
+    uint32_t any = 0;
+
+    for (int x = 0; x < width; x++) {
+        any |= row[x];
     }
-    lab_close(lab);
-    if (!meter_create(&lab->meter, width, height)) {
+    return any == 0;
+}
+
+/* Counts what a stage made of one triangle, and clears the frame. */
+static void count_triangle(struct image *frame, const struct vertex v[3], struct tally *tallies)
+{
+    struct exact_triangle exact;
+    const bool area = exact_setup(&exact, v);
+
+    for (int y = 0; y < frame->height; y++) {
+        int first = 0, end = 0;
+        if (area && y >= exact.first_row && y < exact.end_row) {
+            exact_row(&exact, y, frame->width, &first, &end);
+        }
+        uint32_t *row = &frame->pixels[(size_t)y * (size_t)frame->stride];
+        if (first >= end && row_is_clear(row, frame->width)) {
+            continue;
+        }
+        for (int x = 0; x < frame->width; x++) {
+            uint32_t *pixel = &row[x];
+            struct tally *tally = &tallies[(size_t)y * (size_t)frame->width + (size_t)x];
+            tally->due += x >= first && x < end;
+            tally->hit += *pixel != 0;
+            tally->outside += *pixel != 0 &&
+                              !(in_own_range(*pixel >> 16 & 0xFF, v[0].u, v[1].u, v[2].u) &&
+                                in_own_range(*pixel >> 8 & 0xFF, v[0].v, v[1].v, v[2].v));
+            *pixel = 0;
+        }
+    }
+}
+
+static struct hits hits_of(const struct tally *tallies, size_t pixels)
+{
+    struct hits hits = {0, 0, 0, 0, 0};
+
+    for (size_t i = 0; i < pixels; i++) {
+        const struct tally tally = tallies[i];
+        hits.missing += tally.hit == 0 && tally.due > 0;
+        hits.extra += tally.hit > 0 && tally.due == 0;
+        hits.twice += tally.hit > 1 && tally.hit > tally.due;
+        hits.coverage += tally.hit != tally.due;
+        hits.outside += tally.outside > 0;
+    }
+    return hits;
+}
+
+/* Draws triangle by triangle, each into a clear frame. */
+static bool measure_hits(struct source *source, const struct stage *stage, struct hits *hits)
+{
+    const size_t pixels = (size_t)source->size.width * (size_t)source->size.height;
+    struct tally *tallies = calloc(pixels, sizeof *tallies);
+    struct image frame = {0}, texture = {0};
+    const bool memory = tallies && texture_create(&texture, TEXTURE_COORD) &&
+                        image_create(&frame, source->size.width, source->size.height);
+
+    for (size_t i = 0; memory && i < source->triangles.count; i++) {
+        stage->draw(&frame, &texture, source->triangles.items[i].v);
+        count_triangle(&frame, source->triangles.items[i].v, tallies);
+    }
+    if (memory) {
+        *hits = hits_of(tallies, pixels);
+    }
+    image_destroy(&frame);
+    image_destroy(&texture);
+    free(tallies);
+    return memory;
+}
+
+#define SAME_COORDINATE 1e-6 /* texel */
+
+static bool unlike(struct axis_place a, struct axis_place b, uint32_t texel_a, uint32_t texel_b)
+{
+    const double distance = (a.texel - a.rest) - (b.texel - b.rest);
+
+    return fabs(distance) < SAME_COORDINATE && texel_a != texel_b;
+}
+
+/* Pixels that show another texel than the pixel above them or to their left, though u, or v, is the
+ * same there: chance decides. */
+static bool measure_neighbours(struct meter *meter, const struct source *source,
+                               const struct stage *stage, double *value)
+{
+    const size_t width = (size_t)source->size.width;
+
+    *value = 0;
+    if (!meter_begin(meter, &source->triangles)) {
         return false;
     }
-    lab->width = width;
-    lab->height = height;
+    meter_exact(meter, &source->triangles, 0, 1);
+    meter_draw_surfaces(meter, &source->triangles, stage->draw);
+    meter_draw(meter, &source->triangles, stage->draw, &meter->coordinates, 1);
+    for (size_t pixel = width + 1; pixel < meter_pixels(meter); pixel++) {
+        const size_t others[] = {pixel - width, pixel - 1};
+        bool found = false;
+        for (int i = 0; i < 2; i++) {
+            const struct place *a = &meter->exact[pixel], *b = &meter->exact[others[i]];
+            const uint32_t at = meter->frame.pixels[pixel];
+            const uint32_t beside = meter->frame.pixels[others[i]];
+            const uint32_t surface = meter->exact_surfaces.pixels[others[i]];
+            found = found || (at && beside && surface &&
+                              surface == meter->exact_surfaces.pixels[pixel] &&
+                              (unlike(a->u, b->u, at >> 16 & 0xFF, beside >> 16 & 0xFF) ||
+                               unlike(a->v, b->v, at >> 8 & 0xFF, beside >> 8 & 0xFF)));
+        }
+        *value += found;
+    }
     return true;
 }
 
-void lab_close(struct lab *lab)
+static double number_at(const void *numbers, size_t offset)
 {
-    if (lab->width > 0) {
-        meter_destroy(&lab->meter);
-    }
-    *lab = (struct lab){0};
+    double number;
+
+    memcpy(&number, (const char *)numbers + offset, sizeof number);
+    return number;
 }
 
-/* One of accuracy's numbers, chosen by `pick`, for every stage. */
-static bool measure_accuracy(struct lab *lab, const struct triangle_list *list, int width,
-                             int height, const struct stability_stages *chosen,
-                             double (*pick)(const struct accuracy *), double *values)
+static bool measure_stage(const struct measure *measure, struct meter *meter,
+                          struct source *source, const struct stage *stage, double *value)
 {
     struct accuracy accuracy;
+    struct hits hits;
+    bool memory = false;
 
-    for (int i = 0; i < chosen->count; i++) {
-        const struct stage *stage = chosen->items[i];
-        if (!lab_fit(lab, width, height) ||
-            !accuracy_frame(&lab->meter, list, stage, texels_grid(stage), &accuracy)) {
-            return false;
-        }
-        values[i] = accuracy.pixels > 0 ? pick(&accuracy) : NAN;
+    if (measure->kind == BY_HITS) {
+        memory = measure_hits(source, stage, &hits);
+        *value = memory ? number_at(&hits, measure->offset) : NAN;
+    } else if (measure->kind == BY_NEIGHBOURS) {
+        memory = measure_neighbours(meter, source, stage, value);
+    } else {
+        memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
+        *value = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset) : NAN;
     }
-    return true;
+    return memory;
 }
 
-static double position_of(const struct accuracy *accuracy)
+bool measure_source(const struct measure *measure, struct source *source,
+                    const struct stability_stages *chosen, double values[STABILITY_STAGES],
+                    struct error *error)
 {
-    return accuracy->position_max;
-}
+    double jitter[STABILITY_STAGES + 1];
+    struct meter meter = {0};
+    bool done = measure->kind == BY_HITS ||
+                meter_create(&meter, source->size.width, source->size.height);
 
-static double wrong_of(const struct accuracy *accuracy)
-{
-    return accuracy->wrong_texel_pct;
-}
-
-static double bias_of(const struct accuracy *accuracy)
-{
-    return accuracy->bias_u;
-}
-
-bool measure_position(struct lab *lab, const struct triangle_list *list, int width, int height,
-                      const struct stability_stages *chosen, double *values)
-{
-    return measure_accuracy(lab, list, width, height, chosen, position_of, values);
-}
-
-bool measure_wrong(struct lab *lab, const struct triangle_list *list, int width, int height,
-                   const struct stability_stages *chosen, double *values)
-{
-    return measure_accuracy(lab, list, width, height, chosen, wrong_of, values);
-}
-
-bool measure_bias(struct lab *lab, const struct triangle_list *list, int width, int height,
-                  const struct stability_stages *chosen, double *values)
-{
-    return measure_accuracy(lab, list, width, height, chosen, bias_of, values);
-}
-
-/* As accuracy measures positions, but only every `step` pixels from column 0. */
-static double position_at_divides(const struct meter *meter, int width, int step, bool truncates,
-                                  int scale)
-{
-    double largest = -1;
-
-    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
-        struct reading u, v;
-        if (pixel % (size_t)width % (size_t)step == 0 &&
-            meter_read(meter, pixel, truncates, &u, &v)) {
-            const double u_outside = fmax(fabs(u.error) - u.half_width, 0);
-            const double v_outside = fmax(fabs(v.error) - v.half_width, 0);
-            largest = fmax(largest, hypot(u_outside, v_outside));
-        }
+    if (done && measure->kind == BY_JITTER) {
+        done = jitter_measure(&meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
+                              error);
+        memcpy(values, jitter, sizeof jitter - sizeof jitter[0]);
     }
-    return largest < 0 ? NAN : largest / scale;
-}
-
-bool measure_divides(struct lab *lab, const struct triangle_list *list, int width, int height,
-                          const struct stability_stages *chosen, double *values)
-{
-    const int scale = ruler_scale(list);
-
-    if (!lab_fit(lab, width, height) || !meter_begin(&lab->meter, list)) {
-        return false;
+    for (int i = 0; done && measure->kind != BY_JITTER && i < chosen->count; i++) {
+        done = measure_stage(measure, &meter, source, chosen->items[i], &values[i]);
     }
-    for (int i = 0; i < chosen->count; i++) {
-        const struct stage *stage = chosen->items[i];
-        meter_draw_surfaces(&lab->meter, list, stage->draw);
-        meter_exact(&lab->meter, list, texels_grid(stage), scale);
-        meter_draw(&lab->meter, list, stage->draw, &lab->meter.ruler, scale);
-        values[i] = position_at_divides(&lab->meter, width, stage->segment_length,
-                                        stage->truncates, scale);
-    }
-    return true;
+    meter_destroy(&meter);
+    return done || error_set(error, "%s: no memory to measure it", source->name);
 }

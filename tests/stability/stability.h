@@ -1,46 +1,58 @@
-/* The stability table: cases in which a method fails, each stage's number for them, and what that
- * should be. */
+/* The stability table: a row for each tests/cases/NAME.tri. The comment at the head of the file is
+ * the row:
+ *
+ *   # size WxH                    of the frame
+ *   # What happens, and why: a sentence, on one line or more.
+ *   # measure: NAME               one of the measures of tests/stability/measure.c
+ *   # STAGE: EXPECTATION          a line for each stage, by its name
+ *   # why: where the values come from, to the end of the comment
+ *
+ * An expectation is
+ *   holds             at most what the measure allows
+ *   at most 0.01
+ *   18                exactly
+ *   0.2 +- 30 %       or +- a number. At most half the value: a stage that is said to fail must
+ *                     fail by about that much
+ *   draws nothing     there is nothing to measure */
 #ifndef TESTS_STABILITY_H
 #define TESTS_STABILITY_H
 
-#include "tests/files/error.h"
 #include "tests/stability/measure.h"
 
-enum verdict {
-    VERDICT_NONE,  /* the stage promises nothing here, or draws nothing */
-    VERDICT_HOLDS, /* |value| <= amount */
-    VERDICT_FAILS  /* |value| is about `amount`: within a factor of STABILITY_FACTOR */
-};
-
-#define STABILITY_FACTOR 2.0
-#define STABILITY_EXPECTATIONS 5 /* stages 1, 2, 3, 4 and 5 (which draw the same), the coda */
+#define STABILITY_CASES_MAX 99
+#define STABILITY_FOLDER "tests/cases" /* programs run in the project's folder */
 
 struct expectation {
-    enum verdict verdict;
-    double amount; /* in the row's unit */
+    enum { EXPECT_MISSING, EXPECT_HOLDS, EXPECT_VALUE, EXPECT_NOTHING } kind;
+    double value, tolerance; /* in the measure's unit; HOLDS: 0 and the most that it may be */
 };
 
-struct stability_row {
-    const char *name; /* of tests/cases/NAME.tri as well, spaces as _; `floor` is the scene */
-    int width, height;
-    measurement *measure;
-    const char *what, *unit; /* what is measured */
-    struct expectation expected[STABILITY_EXPECTATIONS];
-    const char *reason; /* where the amounts come from */
+struct stability_case {
+    char name[64], path[128];
+    char sentence[1024], why[1024];
+    const struct measure *measure;
+    struct expectation expected[STABILITY_STAGES]; /* by the stages' place in the table */
+    struct source source;                          /* its triangles, given and clipped */
 };
 
-extern const struct stability_row stability_rows[];
-extern const int stability_row_count;
+/* Fills paths[] with all cases, by name. -1 where they cannot be listed. */
+int stability_list(char paths[STABILITY_CASES_MAX][128], struct error *error);
 
-/* Measures a row in every stage that there is; the program runs in the project's folder. */
-bool stability_measure(struct lab *lab, const struct stability_row *row,
-                       const struct stability_stages *chosen, double values[STABILITY_STAGES],
-                       struct error *error);
+/* Reads a case. Each stage of the table must have its expectation; names of stages that there are
+ * not on this machine are passed over. On failure nothing is left to close. */
+bool stability_open(struct stability_case *row, const char *path,
+                    const struct stability_stages *chosen, struct error *error);
+void stability_close(struct stability_case *row);
 
-/* What the row expects of a stage. */
-struct expectation stability_expected(const struct stability_row *row, const struct stage *stage);
+/* Measures it in each stage. */
+bool stability_measure(struct stability_case *row, const struct stability_stages *chosen,
+                       double values[STABILITY_STAGES], struct error *error);
 
-/* Is the value as expected? A stage of which nothing is expected may have any. */
-bool stability_as_expected(struct expectation expected, double value);
+/* Reads one expectation of a measure; false where it is none. */
+bool expectation_parse(const char *text, const struct measure *measure,
+                       struct expectation *expected);
+
+/* "holds", "fails" (as expected), "draws nothing", or "unexpected". */
+const char *stability_verdict(struct expectation expected, double value);
 
 #endif

@@ -1,68 +1,104 @@
-/* build/stability [--csv FILE] [--curves DIR]: the stability table, for people and as CSV, and its
- * curves as CSV and SVG files. To be run in the project's folder. Exit status 0: every number is as
- * expected; 1: one is not, and is marked; 2: bad usage, or a file not read or written. */
-#define _POSIX_C_SOURCE 200809L
-#include <errno.h>
+/* build/stability [--markdown] [--csv FILE] [--curves DIR]: the stability table, for people or as
+ * Markdown, and as CSV; and its curves as CSV and SVG files. To be run in the project's folder. Exit
+ * status 0: every number is as expected; 1: one is not, and is marked; 2: bad usage, or a file not
+ * read or written. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "tests/files/file.h"
-#include "tests/stability/stability.h"
 #include "tests/stability/curves.h"
+#include "tests/stability/stability.h"
 
-#define ROWS_MAX 64
-#define PATH_LENGTH 1024
+struct row {
+    struct stability_case given;
+    double values[STABILITY_STAGES];
+};
 
 struct table {
     struct stability_stages chosen;
-    double values[ROWS_MAX][STABILITY_STAGES];
+    bool markdown;
+    struct row rows[STABILITY_CASES_MAX];
+    int count;
 };
 
-static const char *verdict_of(const struct stability_row *row, const struct stage *stage,
-                              double value)
+static void print_header(const struct table *table)
 {
-    const struct expectation expected = stability_expected(row, stage);
-
-    if (!stability_as_expected(expected, value)) {
-        return "unexpected";
+    if (table->markdown) {
+        printf("| case | what happens | measured |");
+        for (int i = 0; i < table->chosen.count; i++) {
+            printf(" %s |", table->chosen.items[i]->name);
+        }
+        printf(" why these values |\n|---|---|---|");
+        for (int i = 0; i < table->chosen.count; i++) {
+            printf("---:|");
+        }
+        printf("---|\n");
+        return;
     }
-    return expected.verdict == VERDICT_NONE || isnan(value) ? "n/a"
-           : expected.verdict == VERDICT_HOLDS              ? "holds"
-                                                            : "fails";
-}
-
-static void print_header(const struct stability_stages *chosen)
-{
-    printf("%-20s %-20s %-12s", "case", "measured", "unit");
-    for (int i = 0; i < chosen->count; i++) {
-        const char *digit = chosen->items[i]->digit;
-        printf("  %s%-*s", digit ? "stage " : "", digit ? 9 : 15,
-               digit ? digit : chosen->items[i]->name);
+    printf("%-22s", "");
+    for (int i = 0; i < table->chosen.count; i++) {
+        const struct stage *stage = table->chosen.items[i];
+        printf(" %8s", stage->digit ? stage->digit : stage->name);
     }
     printf("\n");
 }
 
-/* Returns whether all is as expected. */
-static bool print_row(const struct table *table, int r)
+/* A stage that fails as it is said to stands in bold. */
+static void print_markdown(const struct row *row, const struct table *table)
 {
-    const struct stability_row *row = &stability_rows[r];
-    bool expected = true;
+    const struct stability_case *given = &row->given;
 
-    printf("%-20s %-20s %-12s", row->name, row->what, row->unit);
+    printf("| [%s](%s.tri) | %s | %s: %s %s |", given->name, given->name, given->sentence,
+           given->measure->name, given->measure->unit, given->measure->what);
     for (int i = 0; i < table->chosen.count; i++) {
-        const double value = table->values[r][i];
-        const char *verdict = verdict_of(row, table->chosen.items[i], value);
-        expected = expected && strcmp(verdict, "unexpected") != 0;
-        if (isnan(value)) {
-            printf("  %-15s", verdict);
-        } else {
-            printf("  %-8.3g %-6s", value, verdict);
+        const bool fails = strcmp(stability_verdict(given->expected[i], row->values[i]), "fails") == 0;
+        printf(isnan(row->values[i]) ? " - |" : fails ? " **%.3g** |" : " %.3g |", row->values[i]);
+    }
+    printf(" %s |\n", given->why);
+}
+
+static void print_text(const struct row *row, const struct table *table)
+{
+    printf("%-22s", row->given.name);
+    for (int i = 0; i < table->chosen.count; i++) {
+        const char *verdict = stability_verdict(row->given.expected[i], row->values[i]);
+        char number[32];
+        snprintf(number, sizeof number, isnan(row->values[i]) ? "-" : "%.3g", row->values[i]);
+        printf("%c%8s", strcmp(verdict, "unexpected") ? ' ' : '!', number);
+    }
+    printf(" %s\n", row->given.measure->unit);
+    fflush(stdout); /* a row may take a second */
+}
+
+/* Returns whether every number is as expected. */
+static bool print_table(struct table *table, struct error *error, bool *expected)
+{
+    static char paths[STABILITY_CASES_MAX][128];
+    const int count = stability_list(paths, error);
+
+    print_header(table);
+    for (int i = 0; i < count; i++) {
+        struct row *row = &table->rows[table->count++];
+        if (!stability_open(&row->given, paths[i], &table->chosen, error)) {
+            return false;
+        }
+        const bool measured =
+            stability_measure(&row->given, &table->chosen, row->values, error);
+        stability_close(&row->given);
+        if (!measured) {
+            return false;
+        }
+        (table->markdown ? print_markdown : print_text)(row, table);
+        for (int k = 0; k < table->chosen.count; k++) {
+            const char *verdict = stability_verdict(row->given.expected[k], row->values[k]);
+            *expected = *expected && strcmp(verdict, "unexpected") != 0;
         }
     }
-    printf("\n");
-    fflush(stdout); /* a row takes up to a second */
-    return expected;
+    if (table->markdown) {
+        printf("\n**Bold**: the method fails there, by that much, and `make test` holds it to that "
+               "too. `-`: it draws nothing there.\n");
+    }
+    return count >= 0;
 }
 
 static bool write_csv(const char *path, const struct table *table, struct error *error)
@@ -72,86 +108,43 @@ static bool write_csv(const char *path, const struct table *table, struct error 
     if (!file) {
         return false;
     }
-    fprintf(file, "case,measured,unit,stage,value,verdict,expected\n");
-    for (int r = 0; r < stability_row_count; r++) {
-        const struct stability_row *row = &stability_rows[r];
-        for (int i = 0; i < table->chosen.count; i++) {
-            const struct stage *stage = table->chosen.items[i];
-            const double value = table->values[r][i];
-            fprintf(file, "%s,%s,%s,%s,", row->name, row->what, row->unit, stage->name);
-            fprintf(file, isnan(value) ? "," : "%.6g,", value);
-            fprintf(file, "%s,%g\n", verdict_of(row, stage, value),
-                    stability_expected(row, stage).amount);
-        }
+    fprintf(file, "case,measured,unit,stage,value,verdict,expected,tolerance\n");
+    for (int i = 0; i < table->count * table->chosen.count; i++) {
+        const struct row *row = &table->rows[i / table->chosen.count];
+        const int k = i % table->chosen.count;
+        const struct expectation expected = row->given.expected[k];
+        fprintf(file, "%s,%s,%s,%s,", row->given.name, row->given.measure->name,
+                row->given.measure->unit, table->chosen.items[k]->name);
+        fprintf(file, isnan(row->values[k]) ? "," : "%.6g,", row->values[k]);
+        fprintf(file, "%s,%g,%g\n", stability_verdict(expected, row->values[k]), expected.value,
+                expected.tolerance);
     }
     return file_finish(file, path, error);
 }
 
-static bool write_curves(const char *folder, struct lab *lab,
-                         const struct stability_stages *chosen, struct error *error)
-{
-    static struct curve_values values;
-    char csv[PATH_LENGTH], svg[PATH_LENGTH];
-
-    if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
-        return error_set(error, "%s: cannot be made: %s", folder, strerror(errno));
-    }
-    for (int i = 0; i < curve_count; i++) {
-        const struct curve *curve = &curves[i];
-        values = (struct curve_values){0};
-        snprintf(csv, sizeof csv, "%s/%s.csv", folder, curve->name);
-        snprintf(svg, sizeof svg, "%s/%s.svg", folder, curve->name);
-        if (!curve->measure(lab, chosen, &values)) {
-            return error_set(error, "%s: no memory to measure it", curve->name);
-        }
-        if (!curve_write_csv(csv, curve, chosen, &values, error) ||
-            !curve_write_svg(svg, curve, chosen, &values, error)) {
-            return false;
-        }
-        printf("%s, %s\n", csv, svg);
-    }
-    return true;
-}
-
-/* Measures, prints and writes all; *expected says whether every number is as expected. */
-static bool run(const char *csv, const char *folder, struct lab *lab, bool *expected,
-                struct error *error)
-{
-    static struct table table;
-
-    table.chosen = stability_stages();
-    print_header(&table.chosen);
-    for (int r = 0; r < stability_row_count; r++) {
-        if (!stability_measure(lab, &stability_rows[r], &table.chosen, table.values[r], error)) {
-            return false;
-        }
-        *expected = print_row(&table, r) && *expected;
-    }
-    return (!csv || write_csv(csv, &table, error)) &&
-           (!folder || write_curves(folder, lab, &table.chosen, error));
-}
-
 int main(int argc, char **argv)
 {
+    static struct table table;
     const char *csv = NULL, *folder = NULL;
-    struct lab lab = {0};
     struct error error;
     bool expected = true;
 
-    (void)argc;
-    for (char **word = argv + 1; *word; word += 2) {
-        const char **value = strcmp(*word, "--csv") == 0      ? &csv
-                             : strcmp(*word, "--curves") == 0 ? &folder
-                                                              : NULL;
-        if (!value || !word[1]) {
-            fprintf(stderr, "usage: stability [--csv FILE] [--curves DIR]\n");
+    table.chosen = stability_stages();
+    for (int i = 1; i < argc; i++) {
+        const bool value = i + 1 < argc;
+        if (strcmp(argv[i], "--markdown") == 0) {
+            table.markdown = true;
+        } else if (strcmp(argv[i], "--csv") == 0 && value) {
+            csv = argv[++i];
+        } else if (strcmp(argv[i], "--curves") == 0 && value) {
+            folder = argv[++i];
+        } else {
+            fprintf(stderr, "usage: stability [--markdown] [--csv FILE] [--curves DIR]\n");
             return 2;
         }
-        *value = word[1];
     }
-    const bool done = run(csv, folder, &lab, &expected, &error);
-    lab_close(&lab);
-    if (!done) {
+    if (!print_table(&table, &error, &expected) || (csv && !write_csv(csv, &table, &error)) ||
+        (folder && !curves_write(folder, &error))) {
         fprintf(stderr, "stability: %s\n", error.text);
         return 2;
     }

@@ -1,98 +1,124 @@
 /* The stability table in both directions: a stage said to fail must fail by about the stated
  * amount, a stage said to hold must hold. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "tests/unit/check.h"
-#include "tests/stability/stability.h"
 #include "tests/stability/curves.h"
+#include "tests/stability/stability.h"
+#include "tests/unit/check.h"
 #include "tests/unit/test.h"
 
-#define NAME_LENGTH 160
-
-static void test_row(const struct stability_row *row, const struct stability_stages *chosen,
-                     const double *values)
+static void test_case(const char *path, const struct stability_stages *chosen)
 {
-    for (int i = 0; i < chosen->count; i++) {
-        const struct stage *stage = chosen->items[i];
-        const struct expectation expected = stability_expected(row, stage);
-        const bool fails = expected.verdict == VERDICT_FAILS;
-        char name[NAME_LENGTH];
-        if (expected.verdict == VERDICT_NONE) {
-            continue;
-        }
-        snprintf(name, sizeof name, "%s %s on \"%s\" (%s)", stage->name,
-                 fails ? "fails" : "holds", row->name, row->what);
-        check(stability_as_expected(expected, values[i]), name, "%g %s, expected %s %g: %s",
-              values[i], row->unit, fails ? "about" : "at most", expected.amount, row->reason);
+    static struct stability_case row;
+    struct error error;
+    double values[STABILITY_STAGES];
+
+    if (!check(stability_open(&row, path, chosen, &error), "a case says what it shows", "%s",
+               error.text)) {
+        return;
     }
+    if (check(stability_measure(&row, chosen, values, &error), "a case can be measured", "%s",
+              error.text)) {
+        for (int i = 0; i < chosen->count; i++) {
+            const struct expectation expected = row.expected[i];
+            char name[128];
+            snprintf(name, sizeof name, "%s on %s (%s)", chosen->items[i]->name, row.name,
+                     row.measure->name);
+            check(strcmp(stability_verdict(expected, values[i]), "unexpected") != 0, name,
+                  "%g %s, expected %g +- %g: %s", values[i], row.measure->unit, expected.value,
+                  expected.tolerance, row.why);
+        }
+    }
+    stability_close(&row);
 }
 
 /* The judge itself: it must be able to say no, in both directions. */
 static void test_judge(void)
 {
     static const struct {
-        struct expectation expected;
+        const char *text, *verdict; /* NULL: not to be read */
         double value;
-        bool as_expected;
     } cases[] = {
-        {{VERDICT_HOLDS, 1}, 1, true},   {{VERDICT_HOLDS, 1}, -1, true},
-        {{VERDICT_HOLDS, 1}, 1.5, false}, {{VERDICT_HOLDS, 0}, 1e-9, false},
-        {{VERDICT_FAILS, 1}, -1.5, true}, {{VERDICT_FAILS, 1}, 0.4, false},
-        {{VERDICT_FAILS, 1}, 0, false},  {{VERDICT_FAILS, 1}, 2.5, false},
-        {{VERDICT_NONE, 0}, 7, true},
+        {"holds", "holds", 0},         {"holds", "holds", 0.002},       {"holds", "unexpected", 0.0021},
+        {"at most 1", "holds", -1},    {"at most 1", "unexpected", -1.5}, {"18", "fails", 18},
+        {"18", "unexpected", 17},      {"1 +- 50 %", "fails", 1.5},     {"1 +- 50 %", "unexpected", 1.51},
+        {"-2 +- .5", "fails", -1.5},   {"-2 +- .5", "unexpected", 2},   {"1 +- 50 %", "unexpected", NAN},
+        {"holds", "unexpected", NAN},  {"draws nothing", "draws nothing", NAN},
+        {"draws nothing", "unexpected", 0}, {"", NULL, 0}, {"hold", NULL, 0}, {"at most", NULL, 0},
+        {"at most 0", NULL, 0}, {"1 +-", NULL, 0}, {"1 +- 2 % more", NULL, 0}, {"1 2", NULL, 0},
+        {"1 +- 51 %", NULL, 0},  {"1 +- -1", NULL, 0}, {"0 +- 0", NULL, 0}, {"0.001", NULL, 0},
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        check(stability_as_expected(cases[i].expected, cases[i].value) == cases[i].as_expected,
-              "what is expected is told from what is not", "case %zu, value %g", i,
-              cases[i].value);
+        struct expectation expected;
+        const bool read = expectation_parse(cases[i].text, measure_find("position_max"), &expected);
+        const char *got = read ? stability_verdict(expected, cases[i].value) : "not read";
+        check(strcmp(got, cases[i].verdict ? cases[i].verdict : "not read") == 0,
+              "what is expected is told from what is not", "`%s`, value %g: %s", cases[i].text,
+              cases[i].value, got);
     }
+}
+
+/* A file that says nothing of a stage, of its size, or something that cannot be read. */
+static void test_bad_cases(const struct stability_stages *chosen)
+{
+    static const char *const heads[] = {"", "# size 8x8\n# Why.\n", "# size 8x8\n# measure: beauty\n",
+                                        "# size 8x8\n# Why.\n# measure: coverage\n# coda: well\n"};
+    const char *path = "build/bad.tri";
+
+    for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
+        struct stability_case row;
+        struct error error = {""};
+        FILE *file = fopen(path, "w");
+        if (check(file != NULL, "a file can be written", "%s", path)) {
+            fprintf(file, "%s0 0 1 0 0\n4 0 1 4 0\n0 4 1 0 4\n", heads[i]);
+            fclose(file);
+            check(!stability_open(&row, path, chosen, &error) && strstr(error.text, path),
+                  "a case that says too little is an error", "head %zu: %s", i, error.text);
+        }
+    }
+    remove(path);
 }
 
 #define RULER (1 / 64.0) /* texel */
 #define BOUND_LEAST 0.9  /* of the bound is reached, whole pixels hitting its worst place nearly */
 
 /* Linear interpolation over a segment errs by what the formula says: no more, and hardly less. */
-static void test_bound(struct lab *lab, const struct stability_stages *chosen)
+static void test_bound(void)
 {
-    static struct curve_values values;
-    int k = 0;
+    struct curve *curve = curves;
+    struct error error;
 
-    while (k < curve_count && strcmp(curves[k].name, "steepness") != 0) {
-        k++;
+    while (strcmp(curve->name, "steepness") != 0) {
+        curve++;
     }
-    if (!check(k < curve_count && curves[k].measure(lab, chosen, &values),
-               "the curve of steepness is measured", "no memory, or no such curve")) {
+    if (!check(curve->measure(curve, &error), "the curve of steepness is measured", "%s",
+               error.text)) {
         return;
     }
-    for (int i = 0; i < chosen->count; i++) {
-        const struct stage *stage = chosen->items[i];
-        for (int p = 0; p < values.points; p++) {
-            const double bound = stage->segment_length > 1 ? values.y[CURVE_BOUND][p] : 0;
-            const double error = values.y[i][p];
-            char name[NAME_LENGTH];
-            snprintf(name, sizeof name, "%s errs by the bound of its segments", stage->name);
-            check(error <= bound + RULER && error >= BOUND_LEAST * bound - RULER, name,
-                  "depth ratio %g: %g texels, bound %g", values.x[p], error, bound);
+    for (int i = 0; i < curve->count; i += 2) {
+        for (int p = 0; p < curve->points; p++) {
+            const double bound = curve->series[i].y[p], measured = curve->series[i + 1].y[p];
+            check(measured <= bound + RULER && measured >= BOUND_LEAST * bound - RULER,
+                  "stage 4 errs by the bound of its segments", "%s, depth ratio %g: %g texels",
+                  curve->series[i].name, curve->x[p], measured);
         }
     }
 }
 
 void test_stability(void)
 {
+    static char paths[STABILITY_CASES_MAX][128];
     const struct stability_stages chosen = stability_stages();
-    struct lab lab = {0};
     struct error error;
-    double values[STABILITY_STAGES];
+    const int count = stability_list(paths, &error);
 
-    test_judge();
-    for (int r = 0; r < stability_row_count; r++) {
-        const struct stability_row *row = &stability_rows[r];
-        if (check(stability_measure(&lab, row, &chosen, values, &error), "a row can be measured",
-                  "%s", error.text)) {
-            test_row(row, &chosen, values);
-        }
+    check(count > 0, "there are cases", "%s", error.text);
+    for (int i = 0; i < count; i++) {
+        test_case(paths[i], &chosen);
     }
-    test_bound(&lab, &chosen);
-    lab_close(&lab);
+    test_judge();
+    test_bad_cases(&chosen);
+    test_bound();
 }
