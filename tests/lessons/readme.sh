@@ -259,7 +259,7 @@ if [ "${1-}" = --check ]; then
     check=yes
     shift
 fi
-[ $# -gt 0 ] || set -- README.md stage*/README.md
+[ $# -gt 0 ] || set -- README.md stage*/README.md tests/cases/README.md
 failed=0
 new=$TEXMAP_BUILD/readme.$$
 for file; do

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "tests/files/tri.h"
 
 static int is_case(const struct dirent *entry)
 {

@@ -1,7 +1,6 @@
-/* build/stability [--markdown] [--csv FILE] [--curves DIR]: the stability table, for people or as
- * Markdown, and as CSV; and its curves as CSV and SVG files. To be run in the project's folder. Exit
- * status 0: every number is as expected; 1: one is not, and is marked; 2: bad usage, or a file not
- * read or written. */
+/* build/stability [--csv FILE] [--curves DIR]: the stability table, for people and as CSV, and its
+ * curves as CSV and SVG files. To be run in the project's folder. Exit status 0: every number is as
+ * expected; 1: one is not, and is marked; 2: bad usage, or a file not read or written. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,25 +15,12 @@ struct row {
 
 struct table {
     struct stability_stages chosen;
-    bool markdown;
     struct row rows[STABILITY_CASES_MAX];
     int count;
 };
 
 static void print_header(const struct table *table)
 {
-    if (table->markdown) {
-        printf("| case | what happens | measured |");
-        for (int i = 0; i < table->chosen.count; i++) {
-            printf(" %s |", table->chosen.items[i]->name);
-        }
-        printf(" why these values |\n|---|---|---|");
-        for (int i = 0; i < table->chosen.count; i++) {
-            printf("---:|");
-        }
-        printf("---|\n");
-        return;
-    }
     printf("%-22s", "");
     for (int i = 0; i < table->chosen.count; i++) {
         const struct stage *stage = table->chosen.items[i];
@@ -43,21 +29,7 @@ static void print_header(const struct table *table)
     printf("\n");
 }
 
-/* A stage that fails as it is said to stands in bold. */
-static void print_markdown(const struct row *row, const struct table *table)
-{
-    const struct stability_case *given = &row->given;
-
-    printf("| [%s](%s.tri) | %s | %s: %s %s |", given->name, given->name, given->sentence,
-           given->measure->name, given->measure->unit, given->measure->what);
-    for (int i = 0; i < table->chosen.count; i++) {
-        const bool fails = strcmp(stability_verdict(given->expected[i], row->values[i]), "fails") == 0;
-        printf(isnan(row->values[i]) ? " - |" : fails ? " **%.3g** |" : " %.3g |", row->values[i]);
-    }
-    printf(" %s |\n", given->why);
-}
-
-static void print_text(const struct row *row, const struct table *table)
+static void print_row(const struct row *row, const struct table *table)
 {
     printf("%-22s", row->given.name);
     for (int i = 0; i < table->chosen.count; i++) {
@@ -88,15 +60,11 @@ static bool print_table(struct table *table, struct error *error, bool *expected
         if (!measured) {
             return false;
         }
-        (table->markdown ? print_markdown : print_text)(row, table);
+        print_row(row, table);
         for (int k = 0; k < table->chosen.count; k++) {
             const char *verdict = stability_verdict(row->given.expected[k], row->values[k]);
             *expected = *expected && strcmp(verdict, "unexpected") != 0;
         }
-    }
-    if (table->markdown) {
-        printf("\n**Bold**: the method fails there, by that much, and `make test` holds it to that "
-               "too. `-`: it draws nothing there.\n");
     }
     return count >= 0;
 }
@@ -132,14 +100,12 @@ int main(int argc, char **argv)
     table.chosen = stability_stages();
     for (int i = 1; i < argc; i++) {
         const bool value = i + 1 < argc;
-        if (strcmp(argv[i], "--markdown") == 0) {
-            table.markdown = true;
-        } else if (strcmp(argv[i], "--csv") == 0 && value) {
+        if (strcmp(argv[i], "--csv") == 0 && value) {
             csv = argv[++i];
         } else if (strcmp(argv[i], "--curves") == 0 && value) {
             folder = argv[++i];
         } else {
-            fprintf(stderr, "usage: stability [--markdown] [--csv FILE] [--curves DIR]\n");
+            fprintf(stderr, "usage: stability [--csv FILE] [--curves DIR]\n");
             return 2;
         }
     }

@@ -8,25 +8,22 @@
 #include "tests/unit/check.h"
 #include "tests/unit/test.h"
 
+/* One test a case. */
 static void test_case(const char *path, const struct stability_stages *chosen)
 {
     static struct stability_case row;
     struct error error;
     double values[STABILITY_STAGES];
 
-    if (!check(stability_open(&row, path, chosen, &error), "a case says what it shows", "%s",
-               error.text)) {
+    if (!check(stability_open(&row, path, chosen, &error), path, "%s", error.text)) {
         return;
     }
-    if (check(stability_measure(&row, chosen, values, &error), "a case can be measured", "%s",
-              error.text)) {
+    if (check(stability_measure(&row, chosen, values, &error), path, "%s", error.text)) {
         for (int i = 0; i < chosen->count; i++) {
             const struct expectation expected = row.expected[i];
-            char name[128];
-            snprintf(name, sizeof name, "%s on %s (%s)", chosen->items[i]->name, row.name,
-                     row.measure->name);
-            check(strcmp(stability_verdict(expected, values[i]), "unexpected") != 0, name,
-                  "%g %s, expected %g +- %g: %s", values[i], row.measure->unit, expected.value,
+            check(strcmp(stability_verdict(expected, values[i]), "unexpected") != 0, path,
+                  "%s: %s %g %s, expected %g +- %g. %s", chosen->items[i]->name,
+                  row.measure->name, values[i], row.measure->unit, expected.value,
                   expected.tolerance, row.why);
         }
     }

@@ -1,0 +1,40 @@
+#!/bin/sh
+# tests/cases/table.sh: the stability table as Markdown, a row a case. What a case says of itself is
+# in the comment at its head, its numbers are in tests/results/stability.csv, from make stability.
+
+awk -F, '
+    # Of the file that is being read: the comment`s parts.
+    function head(line) {
+        sub(/^# ?/, "", line)
+        if (line ~ /^size [0-9]/ || (measure[name] && !why[name] && line !~ /^why: /)) return
+        if (line ~ /^measure: /) measure[name] = substr(line, 10)
+        else if (measure[name]) why[name] = why[name] (why[name] ? " " : "") line
+        else text[name] = text[name] (text[name] ? " " : "") line
+        sub(/^why: /, "", why[name])
+    }
+    FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/[.]tri$/, "", name) }
+    FILENAME ~ /[.]tri$/ { if (/^#/) head($0); else nextfile }
+    FILENAME ~ /[.]tri$/ { next }
+    !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+    {
+        if (!($at["case"] in unit)) rows[++count] = $at["case"]
+        unit[$at["case"]] = $at["unit"]
+        if (!($at["stage"] in known)) stages[++stage_count] = $at["stage"]
+        known[$at["stage"]]
+        bold = $at["verdict"] == "holds" ? "" : "**"
+        cell[$at["case"], $at["stage"]] = $at["value"] == "" ? "-" \
+            : bold sprintf("%.3g", $at["value"]) bold
+    }
+    END {
+        printf "| case | what happens | measured |"
+        for (i = 1; i <= stage_count; i++) printf " %s |", stages[i]
+        printf " why these numbers |\n|---|---|---|"
+        for (i = 1; i <= stage_count; i++) printf "---:|"
+        printf "---|\n"
+        for (k = 1; k <= count; k++) {
+            name = rows[k]
+            printf "| [%s](%s.tri) | %s | %s, %s |", name, name, text[name], measure[name], unit[name]
+            for (i = 1; i <= stage_count; i++) printf " %s |", cell[name, stages[i]]
+            printf " %s |\n", why[name]
+        }
+    }' tests/cases/*.tri tests/results/stability.csv
