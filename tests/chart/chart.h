@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include "tests/files/csv.h"
 
-#define CHART_SCENES_MAX 8
+#define CHART_SCENES_MAX 4
 #define CHART_SCENE_ROWS_MAX 32 /* stages and segment lengths in one scene */
 
 /* One stage's frame of one scene. Where a field of the CSV file is empty, its number is NAN. */
@@ -14,27 +14,24 @@ struct chart_row {
     size_t scene;      /* index into chart.scenes */
     char mark;         /* '1' to '5', 'C' for the coda, 0 for other lengths of stage 4's segments */
     int segment;       /* pixels between two divides, INT_MAX for the span; 0 off that curve */
-    double ns_per_pixel, memset_ns_per_pixel;
-    double position_rms;    /* texels */
-    double wrong_texel_pct; /* per cent of pixels */
-};
-
-struct chart_scene {
-    const char *name;
-    double width, height, triangles;
+    double width, height, triangles;    /* of the frame; of the scene */
+    double ns_per_pixel, lookup;        /* nanoseconds per pixel */
+    double position_rms, step;          /* texels; what is below the step cannot be told from 0 */
+    double wrong_texel_pct;             /* per cent of pixels */
+    double missing, extra;              /* pixels */
 };
 
 struct chart {
     const struct csv *csv;
     struct chart_row *rows;
     size_t row_count;
-    struct chart_scene scenes[CHART_SCENES_MAX]; /* in the file's order */
+    const char *scenes[CHART_SCENES_MAX]; /* in the file's order */
     size_t scene_count;
 };
 
 /* Takes the rows from a file; strings stay the csv's, which must outlive the chart. False, and
- * nothing to destroy, when a column is missing, a number is out of range, a stage unknown or there
- * twice for a scene, or no row has a time. */
+ * nothing to destroy, when a column is missing, a number is out of range, a stage unknown, or no
+ * row has both a time and a position error. */
 bool chart_load(const struct csv *csv, struct chart *chart, struct error *error);
 void chart_destroy(struct chart *chart);
 
@@ -44,7 +41,7 @@ void chart_draw(FILE *out, const struct chart *chart);
 /* The same into a file whose name must end in .svg. On failure no file is left behind. */
 bool chart_write(const char *path, const struct chart *chart, struct error *error);
 
-/* Is there a mark for this row in the panel of `value`, one of its numbers? */
-bool chart_has_mark(const struct chart_row *row, double value);
+/* Has the row a time and a position error, and so a place in the chart? */
+bool chart_has_mark(const struct chart_row *row);
 
 #endif

@@ -1,30 +1,37 @@
-/* The chart's page: title, legend, a row of panels for each scene, notes. */
+/* The chart's page: the scene that tells most in a large panel, the others in small ones below. */
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
-#include "tests/chart/panel.h"
+#include "tests/chart/chart.h"
 #include "tests/chart/plot.h"
 
 /* In pixels. */
-#define PAGE_WIDTH 880.0
-#define MARGIN 20.0
-#define HEAD_HEIGHT 176.0 /* title, legend and the columns' titles */
-#define ROW_HEIGHT (CHART_PANEL_HEIGHT + 37)
-#define PANEL_DROP 14.0  /* from a row's top, where its title stands, to its panels */
-#define FOOT_HEIGHT 38.0 /* the numbers and the title of x */
-#define NOTE_HEIGHT 14.0 /* a line of the notes at the bottom */
-#define SAMPLE_WIDTH 44.0
-#define NOTE_LENGTH 130 /* characters a line */
+#define PAGE_WIDTH 830.0
+#define LEFT 56.0
+#define RIGHT 814.0
+#define LARGE_TOP 98.0
+#define LARGE_BOTTOM 470.0
+#define LEGEND_TOP 522.0
+#define SMALL_TOP 590.0
+#define SMALL_BOTTOM 720.0
+#define SMALL_GAP 50.0 /* between two small panels: the numbers along y */
+#define NOTES_TOP 766.0
+#define NOTE_HEIGHT 15.0 /* a line of the notes at the bottom */
+#define SAMPLE_WIDTH 30.0
+#define ARROW_GAP 7.0 /* between a mark and an arrow */
 
-#define TITLE "What each stage buys, and what it costs"
+#define LARGE_SCENE "floor" /* its depths vary so much that all methods can be told apart */
+#define X_MARGIN 1.05       /* the axes reach beyond the largest values by these factors */
+#define Y_MARGIN 2.0
+#define LEAST_HIGH 16.0 /* steps: the least that the axis of errors spans */
 
 static const struct text_style title_style = {20, "start", "ink bold"};
-static const struct text_style lead_style = {14, "start", "ink"};
 static const struct text_style head_style = {13, "start", "ink bold"};
-static const struct text_style text_style = {13, "start", "soft"};
-static const struct text_style size_style = {12, "end", "soft"};
-static const struct text_style axis_style = {12, "middle", "soft"};
-static const struct text_style note_style = {10, "start", "soft"};
+static const struct text_style text_style = {13, "start", "ink"};
+static const struct text_style soft_style = {12, "start", "soft"};
+static const struct text_style axis_style = {12, "end", "soft"};
+static const struct text_style segment_style = {12, "middle", "soft"};
 
 /* Appends printf-style to `text`, which has room for `size` characters; what is more is cut. */
 static void append(char *text, size_t size, const char *format, ...)
@@ -36,160 +43,330 @@ static void append(char *text, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
+enum kind {
+    ALL,      /* by time */
+    SCALAR,   /* all but the coda, by time */
+    STAGES,   /* '1' to '5', then 'C' */
+    SEGMENTS, /* stage 4 and its other segments, by length */
+};
+
+/* Rows of one scene that have a mark, in order. */
+struct series {
+    const struct chart_row *rows[CHART_SCENE_ROWS_MAX];
+    size_t count;
+};
+
+/* What the rows of a kind are sorted by; 0 for others. */
+static double key(const struct chart_row *row, enum kind kind)
+{
+    switch (kind) {
+    case STAGES: return row->mark;
+    case SEGMENTS: return row->segment;
+    case SCALAR: return row->mark == 'C' ? 0 : row->ns_per_pixel;
+    default: return row->ns_per_pixel;
+    }
+}
+
+static struct series select_rows(const struct chart *chart, size_t scene, enum kind kind)
+{
+    struct series series = {.count = 0};
+    for (size_t i = 0; i < chart->row_count; i++) {
+        const struct chart_row *row = &chart->rows[i];
+        if (row->scene != scene || !chart_has_mark(row) || key(row, kind) == 0) {
+            continue;
+        }
+        size_t at = series.count++;
+        for (; at > 0 && key(series.rows[at - 1], kind) > key(row, kind); at--) {
+            series.rows[at] = series.rows[at - 1];
+        }
+        series.rows[at] = row;
+    }
+    return series;
+}
+
+static const struct chart_row *find_mark(const struct series *series, char mark)
+{
+    for (size_t i = 0; i < series->count; i++) {
+        if (series->rows[i]->mark == mark) {
+            return series->rows[i];
+        }
+    }
+    return NULL;
+}
+
+/* Every texel right, and every pixel covered that should be, and no other. */
+static bool is_exact(const struct chart_row *row)
+{
+    return row->wrong_texel_pct == 0 && row->missing == 0 && row->extra == 0;
+}
+
+/* What the rows of the large panel say. */
+static void find_title(const struct series *stages, char *title, size_t size)
+{
+    const struct chart_row *first = find_mark(stages, '1'), *coda = find_mark(stages, 'C');
+    if (first && coda) {
+        snprintf(title, size, "The %scoda is %.1f times as fast as stage 1",
+                 is_exact(coda) ? "exact " : "", first->ns_per_pixel / coda->ns_per_pixel);
+    } else {
+        snprintf(title, size, "Speed against accuracy");
+    }
+}
+
+static struct point place(const struct panel *panel, const struct chart_row *row)
+{
+    return panel_at(panel, row->ns_per_pixel, row->position_rms);
+}
+
+/* Time from 0, linear, so that lengths are times; errors from the step of measurement, all that is
+ * smaller in a band below. */
+static void set_axes(struct panel *panel, const struct series *all, struct box box, double band)
+{
+    double time = 0, error = 0, step = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        time = fmax(time, all->rows[i]->ns_per_pixel);
+        error = fmax(error, all->rows[i]->position_rms);
+        step = fmax(step, all->rows[i]->step);
+    }
+    panel->x = (struct axis){.high = X_MARGIN * time, .from = box.x0, .to = box.x1};
+    panel->y = (struct axis){.log = true, .low = step,
+                             .high = fmax(Y_MARGIN * error, LEAST_HIGH * step),
+                             .from = box.y1 - band, .to = box.y0, .band = band};
+}
+
+/* From point to point, the slower the more exact: all above and right of the line is beaten. */
+static void draw_frontier(struct panel *panel, const struct series *by_time)
+{
+    struct point points[2 * CHART_SCENE_ROWS_MAX + 1];
+    size_t count = 0;
+    double best = panel->y.to; /* pixels: the lower in the picture the better */
+    for (size_t i = 0; i < by_time->count; i++) {
+        const struct point at = place(panel, by_time->rows[i]);
+        if (at.y > best) {
+            points[count++] = (struct point){at.x, best};
+            points[count++] = at;
+            best = at.y;
+        }
+    }
+    points[count++] = (struct point){panel->x.to, best};
+    svg_polyline(panel->out, points, count, "rule");
+}
+
+static void draw_lookup(struct panel *panel, double lookup, bool large)
+{
+    static const char label[] = "lookup: the floor for a mapper that goes pixel by pixel";
+    const double x = axis_at(&panel->x, lookup), y = panel->y.to + 18;
+    svg_line(panel->out, (struct point){x, panel->y.to},
+             (struct point){x, panel->y.from + panel->y.band}, "floor");
+    if (large) {
+        svg_text(panel->out, (struct point){x + 8, y}, &text_style, label);
+        panel_take(panel, (struct box){x, y - 14, x + 8 + svg_text_width(label, &text_style),
+                                       y + 4});
+    }
+}
+
+static void draw_curve(struct panel *panel, const struct series *segments)
+{
+    struct point points[CHART_SCENE_ROWS_MAX];
+    for (size_t i = 0; i < segments->count; i++) {
+        points[i] = place(panel, segments->rows[i]);
+    }
+    panel_polyline(panel, points, segments->count, "s2 curve");
+}
+
+static void draw_marks(struct panel *panel, const struct chart *chart, const struct series *all)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        const struct chart_row *row = all->rows[i];
+        const int series = row->mark == 'C' ? 1 : row->mark != 0 ? 0 : 2;
+        char tooltip[256];
+        snprintf(tooltip, sizeof tooltip,
+                 "%.80s on %.80s: %.3g ns per pixel, position error %.3g texels, %.3g %% wrong",
+                 row->stage, chart->scenes[row->scene], row->ns_per_pixel, row->position_rms,
+                 row->wrong_texel_pct);
+        panel_mark(panel, place(panel, row), series, row->mark != 0, tooltip);
+    }
+}
+
+/* "1 float" of stage1_float, and how many times as fast as stage 1 it is; in a small panel "1". */
+static void label_stages(struct panel *panel, const struct series *stages, bool large)
+{
+    const struct chart_row *first = find_mark(stages, '1');
+    for (size_t i = stages->count; i-- > 0;) {
+        const struct chart_row *row = stages->rows[i];
+        const bool coda = row->mark == 'C';
+        char name[64];
+        if (!large) {
+            snprintf(name, sizeof name, "%.*s", coda ? 4 : 1, coda ? row->stage : &row->mark);
+        } else if (coda) {
+            snprintf(name, sizeof name, "coda%s", is_exact(row) ? ": exact" : "");
+        } else {
+            snprintf(name, sizeof name, "%c %.20s", row->mark, row->stage + strlen("stage1_"));
+        }
+        if (large && first && row != first) {
+            append(name, sizeof name, ", %.1fx", first->ns_per_pixel / row->ns_per_pixel);
+        }
+        panel_label(panel, place(panel, row), SVG_MARK_RADIUS,
+                    &(struct text_style){large ? 14 : 12, "middle", coda ? "s1 bold" : "s0 bold"},
+                    false, name);
+    }
+}
+
+static void label_segments(struct panel *panel, const struct series *segments)
+{
+    for (size_t i = 0; i < segments->count; i++) {
+        const struct chart_row *row = segments->rows[i];
+        char text[32] = "whole span: affine";
+        if (row->segment != INT_MAX) {
+            snprintf(text, sizeof text, "%d px", row->segment);
+        }
+        if (row->mark == 0) {
+            panel_label(panel, place(panel, row), SVG_HOLLOW_RADIUS, &segment_style, true, text);
+        }
+    }
+}
+
+static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struct box box,
+                       bool large)
+{
+    const struct series all = select_rows(chart, scene, ALL);
+    const struct series scalar = select_rows(chart, scene, SCALAR);
+    const struct series stages = select_rows(chart, scene, STAGES);
+    const struct series segments = select_rows(chart, scene, SEGMENTS);
+    struct panel panel = {.out = out};
+    char band_label[24];
+    if (all.count == 0) {
+        return;
+    }
+    set_axes(&panel, &all, box, large ? 44 : 30);
+    snprintf(band_label, sizeof band_label, "< 1/%.0f", 1 / panel.y.low);
+    panel.band_label = band_label;
+    panel_begin(&panel, true);
+    draw_frontier(&panel, &scalar);
+    draw_lookup(&panel, all.rows[0]->lookup, large);
+    draw_curve(&panel, &segments);
+    for (size_t i = 1; i < stages.count; i++) {
+        svg_arrow(out, place(&panel, stages.rows[i - 1]), place(&panel, stages.rows[i]),
+                  ARROW_GAP);
+    }
+    draw_marks(&panel, chart, &all);
+    label_stages(&panel, &stages, large);
+    if (large) {
+        label_segments(&panel, &segments);
+        svg_text(out, (struct point){box.x0 + 10, panel.y.from - 32}, &head_style, "faster and");
+        svg_text(out, (struct point){box.x0 + 10, panel.y.from - 16}, &head_style, "more exact");
+        svg_arrow(out, (struct point){box.x0 + 48, panel.y.from - 10},
+                  (struct point){box.x0 + 8, panel.y.from + 28}, 0);
+    }
+}
+
 /* The chart in words, for those who do not see it: the stages' numbers, scene by scene. */
 static void describe(const struct chart *chart, char *text, size_t size)
 {
     append(text, size, "Speed against accuracy of each stage.");
     for (size_t scene = 0; scene < chart->scene_count; scene++) {
-        append(text, size, " Scene %.60s:", chart->scenes[scene].name);
-        for (size_t i = 0; i < chart->row_count; i++) {
-            const struct chart_row *row = &chart->rows[i];
-            if (row->scene == scene && row->mark != 0 && isfinite(row->ns_per_pixel)) {
-                append(text, size, " %.40s %.3g ns per pixel, position error %.2g texels, %.3g %% "
-                       "wrong texels;", row->stage, row->ns_per_pixel, row->position_rms,
-                       row->wrong_texel_pct);
-            }
+        const struct series stages = select_rows(chart, scene, STAGES);
+        append(text, size, " Scene %.60s:", chart->scenes[scene]);
+        for (size_t i = 0; i < stages.count; i++) {
+            const struct chart_row *row = stages.rows[i];
+            append(text, size, " %.40s %.3g ns per pixel, position error %.2g texels, %.3g %% "
+                   "wrong texels;", row->stage, row->ns_per_pixel, row->position_rms,
+                   row->wrong_texel_pct);
         }
     }
 }
 
-/* "fixed28_4" of "stage3_fixed28_4"; the mark has the number. */
-static const char *short_name(const struct chart_row *row)
+/* What the file says of the machine, and what is not drawn. Returns where the next line stands;
+ * with `out` NULL only measures. */
+static double draw_notes(FILE *out, const struct chart *chart, double y)
 {
-    const char *underscore = strchr(row->stage, '_');
-    return underscore != NULL ? underscore + 1 : row->stage;
-}
-
-static void draw_stage_names(FILE *out, const struct chart *chart, double y)
-{
-    const char marks[] = "12345C";
-    double step = (PAGE_WIDTH - MARGIN - measures[0].left) / (double)strlen(marks);
-    double x = measures[0].left;
-    for (const char *mark = marks; *mark != '\0'; mark++) {
-        for (size_t i = 0; i < chart->row_count; i++) {
-            if (chart->rows[i].mark == *mark) {
-                char text[24];
-                snprintf(text, sizeof text, "%.12s", short_name(&chart->rows[i]));
-                svg_text(out, (struct point){x, y}, &head_style, (char[]){*mark, '\0'});
-                svg_text(out, (struct point){x + 15, y}, &lead_style, text);
-                x += step;
-                break;
-            }
+    for (size_t i = 0; i < chart->csv->comment_count; i++, y += NOTE_HEIGHT) {
+        if (out) {
+            svg_text(out, (struct point){LEFT, y}, &soft_style, chart->csv->comments[i]);
         }
     }
-}
-
-/* Samples of the lines, two to a column of panels. */
-static void draw_legend(FILE *out, double y)
-{
-    double left = measures[0].left, right = measures[1].left;
-    double down = y + 20, half = SAMPLE_WIDTH / 2;
-    svg_line(out, (struct point){left, y - 4}, (struct point){left + SAMPLE_WIDTH, y - 4},
-             "s0 path");
-    svg_mark(out, (struct point){left + half, y - 4}, 0, true, NULL);
-    svg_text(out, (struct point){left + SAMPLE_WIDTH + 8, y}, &text_style,
-             "the stages, joined in order");
-    svg_line(out, (struct point){left, down - 4}, (struct point){left + SAMPLE_WIDTH, down - 4},
-             "s0 curve");
-    svg_mark(out, (struct point){left + half, down - 4}, 0, false, NULL);
-    svg_text(out, (struct point){left + SAMPLE_WIDTH + 8, down}, &text_style,
-             "stage 4 with other lengths of segment");
-    svg_line(out, (struct point){right + half, y - 12}, (struct point){right + half, y + 3},
-             "memset");
-    svg_text(out, (struct point){right + SAMPLE_WIDTH + 8, y}, &text_style,
-             "memset of the frame");
-    svg_rect(out, (struct box){right + 8, down - 11, right + SAMPLE_WIDTH - 8, down + 2}, "band");
-    svg_text(out, (struct point){right + SAMPLE_WIDTH + 8, down}, &text_style,
-             "0, or below the ruler of 1/64 texel");
-}
-
-static void draw_head(FILE *out, const struct chart *chart)
-{
-    double left = measures[0].left;
-    svg_text(out, (struct point){left, 34}, &title_style, TITLE);
-    svg_text(out, (struct point){left, 57}, &lead_style,
-             "The further left the faster, the further down the more exact.");
-    draw_stage_names(out, chart, 82);
-    draw_legend(out, 107);
-    for (size_t i = 0; i < MEASURE_COUNT; i++) {
-        svg_text(out, (struct point){measures[i].left, HEAD_HEIGHT - 20}, &head_style,
-                 measures[i].title);
-    }
-}
-
-static void draw_scene(FILE *out, const struct chart *chart, size_t scene, double top)
-{
-    const struct chart_scene *info = &chart->scenes[scene];
-    char text[128];
-    double left = measures[0].left;
-    svg_mark(out, (struct point){left + 6, top}, (int)scene, true, NULL);
-    snprintf(text, sizeof text, "%.60s", info->name);
-    svg_text(out, (struct point){left + 18, top + 4.5}, &head_style, text);
-    snprintf(text, sizeof text, "%.0f triangle%s, %.0fx%.0f", info->triangles,
-             info->triangles == 1 ? "" : "s", info->width, info->height);
-    svg_text(out, (struct point){measures[1].left + CHART_PANEL_WIDTH, top + 4.5}, &size_style,
-             text);
-    for (size_t i = 0; i < MEASURE_COUNT; i++) {
-        chart_panel(out, chart, &measures[i], scene, top + PANEL_DROP,
-                    scene + 1 == chart->scene_count);
-    }
-}
-
-/* Writes a note, broken at spaces into lines; returns where the next one stands. With `out` NULL
- * only measures. */
-static double draw_note(FILE *out, const char *note, double y)
-{
-    while (*note != '\0') {
-        char line[NOTE_LENGTH + 1];
-        snprintf(line, sizeof line, "%s", note);
-        char *space = strlen(note) > NOTE_LENGTH ? strrchr(line, ' ') : NULL;
-        if (space != NULL && space > line) {
-            *space = '\0';
+    for (size_t i = 0; i < chart->row_count; i++) {
+        const struct chart_row *row = &chart->rows[i];
+        char note[160];
+        if (chart_has_mark(row)) {
+            continue;
         }
-        if (out != NULL) {
-            svg_text(out, (struct point){MARGIN, y}, &note_style, line);
+        if (out) {
+            snprintf(note, sizeof note, "Not measured: %.60s on %.60s.", row->stage,
+                     chart->scenes[row->scene]);
+            svg_text(out, (struct point){LEFT, y}, &soft_style, note);
         }
-        note += strlen(line);
-        note += strspn(note, " ");
         y += NOTE_HEIGHT;
     }
     return y;
 }
 
-static double draw_notes(FILE *out, const struct chart *chart, double y)
+static void draw_legend(FILE *out, double x, double y)
 {
-    for (size_t i = 0; i < chart->row_count; i++) {
-        const struct chart_row *row = &chart->rows[i];
-        if (!isfinite(row->ns_per_pixel)) {
-            char note[256];
-            snprintf(note, sizeof note, "Not timed: %.60s on %.60s.", row->stage,
-                     chart->scenes[row->scene].name);
-            y = draw_note(out, note, y);
+    svg_arrow(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, 0);
+    svg_text(out, (struct point){x + 38, y}, &soft_style, "from stage to stage");
+    x += 180;
+    svg_line(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, "s2 curve");
+    svg_mark(out, (struct point){x + SAMPLE_WIDTH / 2, y - 4}, 2, false, NULL);
+    svg_text(out, (struct point){x + 38, y}, &soft_style, "stage 4, other lengths of segment");
+    x += 262;
+    svg_line(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, "rule");
+    svg_text(out, (struct point){x + 38, y}, &soft_style, "the best of all but the coda");
+}
+
+static void draw_head(FILE *out, const struct chart *chart, const struct series *stages)
+{
+    const struct chart_row *row = stages->rows[0];
+    char text[160];
+    snprintf(text, sizeof text, "Each stage draws the %.40s, %.0fx%.0f pixels: how long that "
+             "takes, and how far off its texture coordinates are.", chart->scenes[row->scene],
+             row->width, row->height);
+    svg_text(out, (struct point){LEFT, 57}, &text_style, text);
+    snprintf(text, sizeof text, "position error, RMS, texels (below 1/%.0f it cannot be measured)",
+             1 / row->step);
+    svg_text(out, (struct point){LEFT, LARGE_TOP - 9}, &soft_style, text);
+    svg_text(out, (struct point){RIGHT, LARGE_BOTTOM + 32}, &axis_style,
+             "time per pixel drawn, fastest round, ns; 2x: twice as fast as stage 1");
+    draw_legend(out, LEFT, LEGEND_TOP);
+    svg_text(out, (struct point){LEFT, LEGEND_TOP + 22}, &soft_style,
+             "Why position: its errors make a texture swim. Wrong texels, in the tables, also "
+             "count the steady half texel that");
+    svg_text(out, (struct point){LEFT, LEGEND_TOP + 37}, &soft_style,
+             "stages 1 and 2 lose by truncating, which nobody sees.");
+}
+
+/* Every scene but one, side by side. */
+static void draw_small(FILE *out, const struct chart *chart, size_t large)
+{
+    const double width = (RIGHT - LEFT + SMALL_GAP) / (CHART_SCENES_MAX - 1);
+    double x = LEFT;
+    for (size_t scene = 0; scene < chart->scene_count; scene++) {
+        if (scene == large) {
+            continue;
         }
+        svg_text(out, (struct point){x, SMALL_TOP - 8}, &head_style, chart->scenes[scene]);
+        draw_panel(out, chart, scene,
+                   (struct box){x, SMALL_TOP, x + width - SMALL_GAP, SMALL_BOTTOM}, false);
+        x += width;
     }
-    for (size_t i = 0; i < chart->csv->comment_count; i++) {
-        y = draw_note(out, chart->csv->comments[i], y);
-    }
-    return y;
 }
 
 void chart_draw(FILE *out, const struct chart *chart)
 {
-    char description[16384] = "";
-    double foot = HEAD_HEIGHT + ROW_HEIGHT * (double)chart->scene_count;
-    double notes = foot + FOOT_HEIGHT;
-    describe(chart, description, sizeof description);
-    svg_begin(out, PAGE_WIDTH, draw_notes(NULL, chart, notes) + MARGIN - NOTE_HEIGHT / 2, TITLE,
-              description);
-    draw_head(out, chart);
+    char description[16384] = "", title[96];
+    size_t large = 0;
     for (size_t i = 0; i < chart->scene_count; i++) {
-        draw_scene(out, chart, i, HEAD_HEIGHT + ROW_HEIGHT * (double)i);
+        large = strcmp(chart->scenes[i], LARGE_SCENE) == 0 ? i : large;
     }
-    for (size_t i = 0; i < MEASURE_COUNT; i++) {
-        double middle = measures[i].left + CHART_PANEL_WIDTH / 2;
-        svg_text(out, (struct point){middle, foot + 10}, &axis_style,
-                 "time per pixel drawn, fastest round (ns)");
+    const struct series stages = select_rows(chart, large, STAGES);
+    find_title(&stages, title, sizeof title);
+    describe(chart, description, sizeof description);
+    svg_begin(out, PAGE_WIDTH, draw_notes(NULL, chart, NOTES_TOP), title, description);
+    svg_text(out, (struct point){LEFT, 34}, &title_style, title);
+    if (stages.count > 0) {
+        draw_head(out, chart, &stages);
     }
-    draw_notes(out, chart, notes);
+    draw_panel(out, chart, large, (struct box){LEFT, LARGE_TOP, RIGHT, LARGE_BOTTOM}, true);
+    draw_small(out, chart, large);
+    draw_notes(out, chart, NOTES_TOP);
     svg_end(out);
 }

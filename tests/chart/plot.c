@@ -6,7 +6,9 @@
 #define TEXT_DROP 0.36   /* of a text's size: from a figure's middle down to its baseline */
 #define TICK_ROOM 14.0   /* pixels that one number needs along an upright axis */
 #define TICK_WIDE 30.0   /* and along a level one */
-#define LEADER_LEAST 6.0 /* pixels between a mark and its label that need no line */
+#define LABEL_GAP 4.0    /* pixels between a mark and its label */
+#define LABEL_RINGS 4    /* how often a label may move further out ... */
+#define LABEL_STEP 6.0   /* ... by so many pixels */
 
 double axis_at(const struct axis *axis, double value)
 {
@@ -102,19 +104,14 @@ static void draw_y_ticks(const struct panel *panel, struct box box)
 {
     struct tick ticks[TICKS_MAX];
     size_t count = axis_ticks(&panel->y, ticks);
-    double rule = panel->rule_label != NULL ? axis_at(&panel->y, panel->rule) : INFINITY;
     double band = panel->band_label != NULL ? panel->y.from + panel->y.band / 2 : INFINITY;
     for (size_t i = 0; i < count; i++) {
         double y = axis_at(&panel->y, ticks[i].value);
         svg_line(panel->out, (struct point){box.x0, y}, (struct point){box.x1, y}, "grid");
-        bool crowded = fabs(rule - y) < TICK_ROOM || fabs(band - y) < TICK_ROOM;
+        bool crowded = fabs(band - y) < TICK_ROOM;
         if (ticks[i].label[0] != '\0' && !crowded) {
             draw_y_label(panel, y, ticks[i].label);
         }
-    }
-    if (panel->rule_label != NULL) {
-        svg_line(panel->out, (struct point){box.x0, rule}, (struct point){box.x1, rule}, "rule");
-        draw_y_label(panel, rule, panel->rule_label);
     }
     if (panel->band_label != NULL) {
         draw_y_label(panel, band, panel->band_label);
@@ -124,10 +121,9 @@ static void draw_y_ticks(const struct panel *panel, struct box box)
 void panel_begin(struct panel *panel, bool x_labels)
 {
     struct box box = {panel->x.from, panel->y.to, panel->x.to, panel->y.from + panel->y.band};
-    double shaded = panel->rule_label != NULL ? axis_at(&panel->y, panel->rule) : panel->y.from;
-    panel->labels = (struct labels){.area = box};
-    if (shaded < box.y1) {
-        svg_rect(panel->out, (struct box){box.x0, shaded, box.x1, box.y1}, "band");
+    panel->taken_count = 0;
+    if (panel->y.band > 0) {
+        svg_rect(panel->out, (struct box){box.x0, panel->y.from, box.x1, box.y1}, "band");
     }
     draw_x_ticks(panel, box, x_labels);
     draw_y_ticks(panel, box);
@@ -143,8 +139,12 @@ void panel_polyline(struct panel *panel, const struct point *points, size_t coun
                     const char *class)
 {
     svg_polyline(panel->out, points, count, class);
-    for (size_t i = 1; i < count; i++) {
-        labels_line(&panel->labels, points[i - 1], points[i]);
+}
+
+void panel_take(struct panel *panel, struct box box)
+{
+    if (panel->taken_count < TAKEN_MAX) {
+        panel->taken[panel->taken_count++] = box;
     }
 }
 
@@ -153,26 +153,49 @@ void panel_mark(struct panel *panel, struct point at, int series, bool filled,
 {
     svg_mark(panel->out, at, series, filled, tooltip);
     double r = filled ? SVG_MARK_RADIUS : SVG_HOLLOW_RADIUS;
-    labels_take(&panel->labels, (struct box){at.x - r, at.y - r, at.x + r, at.y + r});
+    panel_take(panel, (struct box){at.x - r, at.y - r, at.x + r, at.y + r});
+}
+
+bool boxes_overlap(struct box a, struct box b)
+{
+    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+static bool is_free(const struct panel *panel, struct box box)
+{
+    if (box.x0 < panel->x.from || box.x1 > panel->x.to || box.y0 < panel->y.to ||
+        box.y1 > panel->y.from + panel->y.band) {
+        return false;
+    }
+    for (size_t i = 0; i < panel->taken_count; i++) {
+        if (boxes_overlap(box, panel->taken[i])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool panel_label(struct panel *panel, struct point at, double radius,
                  const struct text_style *style, bool optional, const char *text)
 {
-    double width = svg_text_width(text, style), height = style->size;
-    struct box box;
-    if (!labels_place(&panel->labels, at, radius, width, height, optional, &box)) {
-        return false;
+    static const struct point directions[] = {{1, 0},  {-1, 0},  {0, -1}, {0, 1},
+                                              {1, -1}, {-1, -1}, {1, 1},  {-1, 1}};
+    const double half_width = svg_text_width(text, style) / 2, half_height = style->size / 2;
+
+    for (int i = 0; i < 8 * (optional ? 1 : LABEL_RINGS); i++) {
+        const struct point side = directions[i % 8];
+        const double distance = radius + LABEL_GAP + i / 8 * LABEL_STEP;
+        const double x = at.x + side.x * (distance + half_width);
+        const double y = at.y + side.y * (distance + half_height);
+        const struct box box = {x - half_width, y - half_height, x + half_width, y + half_height};
+        if (is_free(panel, box)) {
+            const struct text_style beside = {
+                style->size, side.x > 0 ? "start" : side.x < 0 ? "end" : "middle", style->class};
+            panel_take(panel, box);
+            svg_text(panel->out, (struct point){x - side.x * half_width,
+                                                y + style->size * TEXT_DROP}, &beside, text);
+            return true;
+        }
     }
-    struct point middle = {(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
-    struct point near = {fmin(fmax(at.x, box.x0), box.x1), fmin(fmax(at.y, box.y0), box.y1)};
-    double distance = hypot(near.x - at.x, near.y - at.y);
-    if (distance > radius + LEADER_LEAST) {
-        double part = radius / distance;
-        struct point edge = {at.x + (near.x - at.x) * part, at.y + (near.y - at.y) * part};
-        svg_line(panel->out, edge, near, "leader");
-    }
-    double baseline = middle.y + style->size * TEXT_DROP;
-    svg_text(panel->out, (struct point){middle.x, baseline}, style, text);
-    return true;
+    return false;
 }

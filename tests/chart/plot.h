@@ -2,7 +2,7 @@
 #ifndef TESTS_PLOT_H
 #define TESTS_PLOT_H
 
-#include "tests/chart/labels.h"
+#include "tests/chart/svg.h"
 
 /* Maps values to pixels along x or y.
  *   linear: from + (to - from) (value - low) / (high - low)
@@ -29,32 +29,38 @@ struct tick {
  * the powers of ten, and 2 and 5 times them where there is room. */
 size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX]);
 
+#define TAKEN_MAX 256
+
 struct panel {
     FILE *out;
     struct axis x, y;
-    double rule; /* a y that a line marks and below which the panel is shaded; 0 for none */
-    const char *rule_label, *band_label; /* stand among y's numbers; NULL for none */
-    struct labels labels;
+    const char *band_label; /* stands among y's numbers; NULL for none */
+    struct box taken[TAKEN_MAX]; /* by marks and labels */
+    size_t taken_count;
 };
 
-/* Draws background, grid and tick labels, those of x only if `x_labels`, and makes ready for
- * labels. All but `labels` must be set. */
+/* Draws background, grid and tick labels, those of x only if `x_labels`. All but what is taken must
+ * be set. */
 void panel_begin(struct panel *panel, bool x_labels);
 
 /* Where a pair of values stands. */
 struct point panel_at(const struct panel *panel, double x, double y);
 
-/* Draws what is there, and keeps labels off it. Points are pixels. */
+/* Keeps labels off a box. */
+void panel_take(struct panel *panel, struct box box);
+
+/* Draws what is there. Points are pixels. Labels keep off marks. */
 void panel_polyline(struct panel *panel, const struct point *points, size_t count,
                     const char *class);
 void panel_mark(struct panel *panel, struct point at, int series, bool filled,
                 const char *tooltip);
 
-/* Writes a label beside a mark, once all that it must not cover is drawn, with a thin line to the
- * mark when it stands apart. A label with no free place is left out: false. An `optional` one is
- * left out too where it would need that line or cross another. `style` is anchored in the
- * middle. */
+/* Writes a label beside a mark, once all marks are drawn: right of it, or where that is taken left,
+ * above, below or at a corner; or else a little further out, unless it is `optional`. One that
+ * finds no place in the panel is left out: false. `style` is anchored in the middle. */
 bool panel_label(struct panel *panel, struct point at, double radius,
                  const struct text_style *style, bool optional, const char *text);
+
+bool boxes_overlap(struct box a, struct box b);
 
 #endif

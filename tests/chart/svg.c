@@ -1,6 +1,10 @@
 #include "tests/chart/svg.h"
 
+#include <math.h>
 #include <string.h>
+
+#define ARROW_LENGTH 7.0
+#define ARROW_WIDTH 6.0
 
 /* Colours go through `color` and currentColor, not through custom properties: renderers that know
  * neither those nor @media (librsvg, say) then still show the light picture as meant.
@@ -12,8 +16,8 @@ static const char style_sheet[] =
     ".paper{fill:#fff}\n.band{fill:#e9edf2}\n"
     ".grid{stroke:#e3e7ec;fill:none}\n.frame{stroke:#8c959f;fill:none}\n"
     ".rule{stroke:#59636e;stroke-dasharray:2 2;fill:none}\n"
-    ".memset{stroke:#1f2328;stroke-width:2px;fill:none}\n"
-    ".leader{stroke:#59636e;stroke-width:.8px;fill:none}\n"
+    ".floor{stroke:#1f2328;stroke-width:2px;fill:none}\n"
+    ".leader{stroke:#8c959f;stroke-width:1.2px;fill:none}\n"
     ".path{stroke:currentColor;stroke-width:1.4px;stroke-linejoin:round;fill:none}\n"
     ".curve{stroke:currentColor;stroke-width:1.4px;fill:none}\n"
     ".filled{fill:currentColor;stroke:#fff;stroke-width:.2px}\n"
@@ -27,7 +31,7 @@ static const char style_sheet[] =
     "@media (prefers-color-scheme:dark){\n"
     "text,.filled{stroke:#0d1117}\n.paper,.hollow{fill:#0d1117}\n.band{fill:#1d242d}\n"
     ".grid{stroke:#262d36}\n.frame{stroke:#6e7781}\n.rule,.leader{stroke:#9da7b1}\n"
-    ".memset{stroke:#e6edf3}\n"
+    ".floor{stroke:#e6edf3}\n"
     ".ink{color:#e6edf3}\n.soft{color:#9da7b1}\n"
     ".s0{color:#56b4e9}\n.s1{color:#ff9d5c}\n.s2{color:#2fc79c}\n"
     ".s3{color:#e79ac6}\n.s4{color:#f0e442}\n.s5{color:#c3cad2}\n"
@@ -96,6 +100,23 @@ void svg_polyline(FILE *out, const struct point *points, size_t count, const cha
 void svg_line(FILE *out, struct point a, struct point b, const char *class)
 {
     svg_polyline(out, (struct point[]){a, b}, 2, class);
+}
+
+void svg_arrow(FILE *out, struct point a, struct point b, double gap)
+{
+    const double length = hypot(b.x - a.x, b.y - a.y);
+
+    if (length <= 2 * gap + ARROW_LENGTH) {
+        return;
+    }
+    const struct point along = {(b.x - a.x) / length, (b.y - a.y) / length};
+    const struct point tip = {b.x - gap * along.x, b.y - gap * along.y};
+    const struct point back = {tip.x - ARROW_LENGTH * along.x, tip.y - ARROW_LENGTH * along.y};
+    const struct point aside = {-ARROW_WIDTH / 2 * along.y, ARROW_WIDTH / 2 * along.x};
+
+    svg_line(out, (struct point){a.x + gap * along.x, a.y + gap * along.y}, tip, "leader");
+    svg_polyline(out, (struct point[]){{back.x + aside.x, back.y + aside.y}, tip,
+                                       {back.x - aside.x, back.y - aside.y}}, 3, "leader");
 }
 
 void svg_rect(FILE *out, struct box box, const char *class)

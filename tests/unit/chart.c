@@ -1,147 +1,205 @@
-#include <errno.h>
-#include <math.h>
-#include <string.h>
+/* The chart: what it refuses, where its marks stand, what it says; that its texts stay apart. */
+#define _POSIX_C_SOURCE 200809L
 #include "tests/chart/chart.h"
-#include "tests/unit/check.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 #include "tests/chart/plot.h"
+#include "tests/unit/check.h"
 #include "tests/unit/test.h"
-#include "tests/unit/chart.h"
 #include "tests/unit/xml.h"
 
-struct bad {
-    const char *text, *message;
-};
+/* The columns that the chart reads, in an order of their own and with one more among them. */
+#define HEADER                                                                                     \
+    "scene,stage,later,width,height,triangles,position_rms,wrong_texel_pct,ns_per_pixel_min,"      \
+    "lookup_ns_per_pixel,ruler_step,coverage_missing,coverage_extra\n"
+#define ROW(stage, error, wrong, ns)                                                               \
+    "wall," stage ",x,64,48,2," error "," wrong "," ns ",0.25,0.015625,0,0\n"
+#define WORDS_MAX 256
+#define TEXT_MAX 16384
+#define VARIATIONS 50
 
-static const struct bad bad_files[] = {
-    {"", "t:1: no header line"},
-    {"# only a comment\n", "t:2: no header line"},
-    {"# c\n\n", "t:2: no header line"},
-    {"scene,stage\nwall\n", "t:2: 1 fields, the header has 2"},
-    {"scene,stage\nwall,coda\nwall,coda,7\n", "t:3: 3 fields, the header has 2"},
-    {"#\nscene\n", "t:2: no column 'stage'"},
-    {HEADER, "t: no row with a time and an error"},
-    {HEADER ROW("coda", "1", "1", ""), "t: no row with a time and an error"},
-    {HEADER ROW("coda", "1", "1", "fast"), "t:2: ns_per_pixel_min: 'fast' is not a number"},
-    {HEADER ROW("coda", "1", "1", "1 ns"), "t:2: ns_per_pixel_min: '1 ns' is not a number"},
-    {"# c\n" HEADER ROW("coda", "nan", "1", "1"), "t:3: position_rms: 'nan' is not finite"},
-    {HEADER ROW("coda", "1", "inf", "1"), "t:2: wrong_texel_pct: 'inf' is not finite"},
-    {HEADER ROW("coda", "1", "1e999", "1"), "t:2: wrong_texel_pct: '1e999' is not finite"},
-    {HEADER ROW("coda", "-1", "1", "1"), "t:2: position_rms: '-1' is negative"},
-    {HEADER ROW("coda", "1", "1", "0"), "t:2: ns_per_pixel_min: '0' is not positive"},
-    {HEADER ROW("coda", "1", "1", "2e9"), "t:2: ns_per_pixel_min: '2e9' is more than 1e+09"},
-    {HEADER ROW("stage6_gpu", "1", "1", "1"), "t:2: unknown stage 'stage6_gpu'"},
-    {HEADER ROW("segment_0", "1", "1", "1"), "t:2: unknown stage 'segment_0'"},
-    {HEADER ROW("segment_", "1", "1", "1"), "t:2: unknown stage 'segment_'"},
-    {HEADER ROW("coda", "1", "1", "1") ROW("coda", "1", "1", "1"),
-     "t:3: stage 'coda' on 'wall' stands on line 2 already"},
-};
+/* The chart of a CSV file's text, to be freed. NULL where there is none: `error` says why. */
+static char *draw(const char *text, struct error *error)
+{
+    struct csv csv;
+    struct chart chart;
+    char *svg = NULL;
+    size_t size;
+    if (csv_parse("t", text, &csv, error)) {
+        FILE *out = chart_load(&csv, &chart, error) ? open_memstream(&svg, &size) : NULL;
+        if (out != NULL) {
+            chart_draw(out, &chart);
+            fclose(out);
+            chart_destroy(&chart);
+        }
+        csv_destroy(&csv);
+    }
+    return svg;
+}
 
 static void test_bad_files(void)
 {
-    for (size_t i = 0; i < sizeof bad_files / sizeof bad_files[0]; i++) {
-        struct csv csv;
-        struct chart chart;
+    static const char *const bad[][2] = {
+        {"", "t:1: no header line"},
+        {"# c\n\n", "t:2: no header line"},
+        {"scene,stage\nwall\n", "t:2: 1 fields, the header has 2"},
+        {"#\nscene\n", "t:2: no column 'stage'"},
+        {"scene,stage\nwall,coda\n", "t:1: no column 'width'"},
+        {HEADER, "t: no row with a time and an error"},
+        {HEADER ROW("coda", "1", "1", ""), "t: no row with a time and an error"},
+        {HEADER ROW("coda", "1", "1", "fast"), "t:2: ns_per_pixel_min: 'fast' is not a number"},
+        {"# c\n" HEADER ROW("coda", "nan", "1", "1"), "t:3: position_rms: 'nan' is not finite"},
+        {HEADER ROW("coda", "-1", "1", "1"), "t:2: position_rms: '-1' is negative"},
+        {HEADER ROW("coda", "1", "1", "0"), "t:2: ns_per_pixel_min: '0' is not positive"},
+        {HEADER ROW("stage6_gpu", "1", "1", "1"), "t:2: unknown stage 'stage6_gpu'"},
+        {HEADER ROW("segment_0", "1", "1", "1"), "t:2: unknown stage 'segment_0'"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         struct error error = {"(none)"};
-        if (csv_parse("t", bad_files[i].text, &csv, &error)) {
-            if (chart_load(&csv, &chart, &error)) {
-                chart_destroy(&chart);
-            }
-            csv_destroy(&csv);
-        }
-        check(strcmp(error.text, bad_files[i].message) == 0, "a bad CSV file gives the right error",
-              "case %zu: expected '%s', got '%s'", i, bad_files[i].message, error.text);
+        free(draw(bad[i][0], &error));
+        check(strcmp(error.text, bad[i][1]) == 0, "a bad CSV file gives the right error",
+              "expected '%s', got '%s'", bad[i][1], error.text);
     }
-    struct csv csv;
-    struct error error = {"(none)"};
-    char expected[128];
-    snprintf(expected, sizeof expected, "no/such.csv: %s", strerror(ENOENT));
-    check(!csv_read("no/such.csv", &csv, &error) && strcmp(error.text, expected) == 0,
-          "a missing CSV file is an error", "expected '%s', got '%s'", expected, error.text);
 }
 
 /* low and high of a log axis two decades apart: 1 is half way. */
 static void test_axes(void)
 {
-    struct axis x = {.log = true, .low = 0.1, .high = 10, .from = 100, .to = 300};
-    struct axis y = {.log = true, .low = 0.1, .high = 10, .from = 300, .to = 100, .band = 20};
-    struct axis linear = {.low = -1, .high = 3, .from = 100, .to = 300};
+    const struct axis y = {.log = true, .low = 0.1, .high = 10, .from = 300, .to = 100, .band = 20};
+    const struct axis x = {.low = -1, .high = 3, .from = 100, .to = 300};
     const struct {
         const struct axis *axis;
         double value, pixel;
-    } cases[] = {
-        {&x, 0.1, 100}, {&x, 1, 200},    {&x, 10, 300},      {&x, sqrt(10), 250},
-        {&y, 0.1, 300}, {&y, 1, 200},    {&y, 10, 100},      {&y, 0, 310},
-        {&y, 0.09, 310}, {&linear, -1, 100}, {&linear, 0, 150}, {&linear, 3, 300},
-    };
+    } cases[] = {{&y, 0.1, 300}, {&y, 1, 200},  {&y, 10, 100}, {&y, 0, 310},
+                 {&y, 0.09, 310}, {&x, -1, 100}, {&x, 0, 150},  {&x, 3, 300}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        double got = axis_at(cases[i].axis, cases[i].value);
+        const double got = axis_at(cases[i].axis, cases[i].value);
         check(fabs(got - cases[i].pixel) < 1e-9, "a value lands where the axis' formula says",
               "case %zu: expected %g, got %g", i, cases[i].pixel, got);
     }
-    struct tick ticks[TICKS_MAX];
     const struct {
         const struct axis *axis;
         const char *labels;
-    } rows[] = {{&x, "0.1 0.2 0.5 1 2 5 10 "}, {&linear, "-1 0 1 2 3 "}};
-    x.to = 350; /* room for 30 pixels from 1 to 2 */
+    } rows[] = {{&y, "0.1 0.2 0.5 1 2 5 10 "}, {&x, "-1 0 1 2 3 "}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct tick ticks[TICKS_MAX];
         char got[256] = "";
-        size_t count = axis_ticks(rows[i].axis, ticks);
+        const size_t count = axis_ticks(rows[i].axis, ticks);
         for (size_t k = 0; k < count; k++) {
             strcat(strcat(got, ticks[k].label), " ");
         }
         check(strcmp(got, rows[i].labels) == 0, "ticks are round numbers, ends included",
-              "case %zu: expected '%s', got '%s'", i, rows[i].labels, got);
+              "expected '%s', got '%s'", rows[i].labels, got);
     }
 }
 
-static void test_placer(void)
+/* Equal times are equal distances, equal factors of error too, and all below the step is one. */
+static void test_positions(void)
 {
-    struct random random = random_start(1);
-    static struct labels labels;
-    labels = (struct labels){.area = {0, 0, 366, 154}};
-    bool all = true, inside = true;
-    for (int i = 0; i < 60; i++) {
-        struct point at = {random_real(&random, 0, 366), random_real(&random, 0, 154)};
-        struct box box;
-        all = labels_place(&labels, at, 5, 20, 11, false, &box) && all;
-        inside = inside && box.x0 >= 0 && box.y0 >= 0 && box.x1 <= 366 && box.y1 <= 154;
+    struct error error = {"no memory"};
+    struct svg_tipped at[8];
+    char *svg = draw(HEADER ROW("stage1_float", "1", "1", "1") ROW("stage2_dda", "0.1", "1", "2")
+                     ROW("stage3_fixed28_4", "10", "1", "3") ROW("stage5_asm", "0.001", "1", "4")
+                     ROW("coda", "0", "0", "0.5") ROW("segment_8", "1", "1", ""), &error);
+    const size_t count = svg != NULL ? svg_tipped_marks(svg, at, 8) : 0;
+    if (check(count == 5, "what was timed has a mark, the fastest first", "%zu marks", count)) {
+        check(fabs(at[3].at.x - 2 * at[2].at.x + at[1].at.x) < 0.3 &&
+                  fabs(at[2].at.y - 2 * at[1].at.y + at[3].at.y) < 0.3,
+              "time is linear, error logarithmic", "x %g %g %g", at[1].at.x, at[2].at.x,
+              at[3].at.x);
+        check(at[4].at.y == at[0].at.y && at[0].at.y > at[2].at.y,
+              "what is below the step stands in one band below", "y %g, %g", at[4].at.y,
+              at[0].at.y);
     }
-    int overlaps = 0;
-    for (size_t i = 0; i < labels.taken_count; i++) {
+    check(svg && strstr(svg, ">The exact coda is 2.0 times as fast as stage 1<"),
+          "the title is made of the numbers", "it is not");
+    check(svg && strstr(svg, "Not measured: segment_8 on wall."), "what has no mark is named",
+          "it is not");
+    free(svg);
+    svg = draw(HEADER ROW("stage1_float", "1", "1", "1") ROW("coda", "0", "1e-5", "0.4"), &error);
+    check(svg && strstr(svg, ">The coda is 2.5 times as fast as stage 1<"),
+          "only what has no wrong texel is called exact", "it is");
+    free(svg);
+}
+
+static void check_picture(const char *svg, int seed)
+{
+    static struct svg_word words[WORDS_MAX];
+    const char *where;
+    const size_t count = svg_words(svg, words, WORDS_MAX);
+    size_t names = 0;
+    check(xml_well_formed(svg, &where), "a chart is well formed", "variation %d: %.60s", seed,
+          where);
+    for (size_t i = 0; i < count; i++) {
+        names += strstr(words[i].class, "s0 bold") != NULL || strstr(words[i].class, "s1 bold");
+        check(words[i].box.x0 >= 0 && words[i].size >= 11, "texts are large enough to read",
+              "variation %d: '%s'", seed, words[i].text);
         for (size_t k = 0; k < i; k++) {
-            overlaps += boxes_overlap(labels.taken[i], labels.taken[k]);
+            check(!boxes_overlap(words[i].box, words[k].box), "no text overlaps another",
+                  "variation %d: '%s' and '%s'", seed, words[k].text, words[i].text);
         }
     }
-    check(all && inside && overlaps == 0, "placed labels lie inside and apart",
-          "all placed %d, inside %d, overlaps %d", all, inside, overlaps);
-    struct box box;
-    labels_take(&labels, labels.area);
-    check(!labels_place(&labels, (struct point){99, 99}, 5, 20, 11, false, &box),
-          "no place is found where all is taken", "one was");
+    check(names == 4 * 6, "each stage has its name in each panel", "variation %d: %zu of 24", seed,
+          names);
 }
 
-static void test_well_formed(void)
+/* The committed results, and what another machine or a later change may make of them: times up to
+ * 15 % off, errors up to twice or half. */
+static void test_results(void)
 {
-    static const char *const wrong[] = {
-        "",           "text",        "<a>",           "<a></b>",      "<a></a></a>", "<a/><b/>",
-        "<a b=c/>",   "<a b=\"c/>",  "<a b=\"<\"/>",  "<a>&</a>",     "<a>&no;</a>", "<a b></a>",
-        "<a><b></a>", "<a></a>text", "<a b=\"&\"/>", "<a>< b/></a>", "</a>",
-    };
-    const char *where;
-    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        check(!xml_well_formed(wrong[i], &where), "the checker sees what is not well formed",
-              "it takes '%s'", wrong[i]);
+    struct error error;
+    struct csv csv;
+    struct chart chart;
+    struct random random = random_start(1);
+    if (!check(csv_read("tests/results/bench.csv", &csv, &error) &&
+                   chart_load(&csv, &chart, &error), "the results are read", "%s", error.text)) {
+        return;
     }
-    check(xml_well_formed("<a b=\"&lt;\" c=\"\"><d/>&amp;<e>x</e>\n</a>\n", &where),
-          "the checker takes what is well formed", "it stops at '%s'", where);
+    for (int i = 0; i < VARIATIONS; i++) {
+        char *svg = NULL;
+        size_t size;
+        FILE *out = open_memstream(&svg, &size);
+        chart_draw(out, &chart);
+        fclose(out);
+        check_picture(svg, i);
+        free(svg);
+        chart_destroy(&chart);
+        if (!chart_load(&csv, &chart, &error)) {
+            break;
+        }
+        for (size_t k = 0; k < chart.row_count; k++) {
+            chart.rows[k].ns_per_pixel *= random_real(&random, 0.85, 1.15);
+            chart.rows[k].position_rms *= random_real(&random, 0.5, 2);
+        }
+    }
+    chart_destroy(&chart);
+    csv_destroy(&csv);
+}
+
+static void test_special_characters(void)
+{
+    struct error error = {"no memory"};
+    char *svg = draw("# <b>\"gcc\" & 'clang'\001\n" HEADER
+                     "a<b>&\"c\",coda,x,64,48,2,1,1,1,1,1,0,0\n", &error);
+    const char *where = error.text;
+    check(svg && xml_well_formed(svg, &where) &&
+              strstr(svg, ">&lt;b&gt;&quot;gcc&quot; &amp; &apos;clang&apos;?</text>"),
+          "XML's own characters are escaped", "wrong at: %.60s", where);
+    check(svg && strstr(svg, "<title id=") && strstr(svg, "<desc id=") &&
+              strstr(svg, "prefers-color-scheme:dark"),
+          "the picture has a title, a description, and colours for dark mode", "it has not");
+    check(!xml_well_formed("<a><b></a>", &where) && !xml_well_formed("<a>&</a>", &where),
+          "the checker sees what is not well formed", "it does not");
+    free(svg);
 }
 
 void test_chart(void)
 {
     test_bad_files();
     test_axes();
-    test_placer();
-    test_well_formed();
-    test_chart_picture();
+    test_positions();
+    test_results();
+    test_special_characters();
 }

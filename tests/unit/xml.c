@@ -3,7 +3,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/chart/labels.h"
+#include "tests/chart/plot.h"
 
 #define DEPTH_LIMIT 32
 
@@ -134,6 +134,7 @@ size_t svg_words(const char *svg, struct svg_word *words, size_t max)
         copy_after(c, ">", '<', word->text, sizeof word->text);
         struct text_style style = {number_after(c, "size=\""), anchor, word->class};
         double width = svg_text_width(word->text, &style);
+        word->size = style.size;
         double x = number_after(c, " x=\""), y = number_after(c, " y=\"");
         x -= strcmp(anchor, "end") == 0 ? width : strcmp(anchor, "middle") == 0 ? width / 2 : 0;
         /* From the top of a capital to a little below the baseline. */

@@ -10,6 +10,7 @@ bool xml_well_formed(const char *text, const char **where);
 
 struct svg_word {
     struct box box; /* by svg_text_width */
+    double size;    /* of the font, in pixels */
     char text[160], class[24];
 };
 
