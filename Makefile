@@ -52,7 +52,7 @@ all: $(BUILD)/texmap
 	@sh tests/lessons/room.sh $(BUILD)
 
 #: make test          every test; ends with `N passed, N failed`
-test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake
+test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake $(BUILD)/memory
 	@$(BUILD)/test
 
 #: make lesson N=2    what changed from stage 1 to stage 2: source, picture, accuracy and speed
@@ -82,6 +82,8 @@ $(BUILD)/texmap $(BUILD)/stability: $(BUILD)/texmap.a
 $(filter-out %/texmap %/stability,$(PROGRAMS)): $(LIBRARIES)
 $(PROGRAMS):
 	$(call say,LD) $(CC) $(CFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
+# texmap with allocations that fail, one after another.
+$(BUILD)/memory: LDLIBS += $(foreach name,malloc calloc realloc open_memstream,-Wl,--wrap=$(name))
 
 #: make debug         build/debug/texmap with -O0 -g, to step through a stage in gdb
 debug:

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/exact/exact.h"
-#include "tests/exact/surface.h"
 
 #define ALPHA 0xFF000000u
 #define RULER_BITS 12 /* RULER_SIDE = 2^12 */
@@ -36,7 +35,7 @@ void meter_destroy(struct meter *meter)
     image_destroy(&meter->surfaces);
     image_destroy(&meter->exact_surfaces);
     free(meter->exact);
-    free(meter->surface_of);
+    surfaces_destroy(&meter->finder);
     *meter = (struct meter){0};
 }
 
@@ -75,17 +74,10 @@ int texel_difference(int from, int to, int side)
 
 bool meter_begin(struct meter *meter, const struct triangle_list *list)
 {
-    if (list->count > meter->capacity) {
-        uint32_t *larger = realloc(meter->surface_of, list->count * sizeof *larger);
-        if (!larger) {
-            return false;
-        }
-        meter->surface_of = larger;
-        meter->capacity = list->count;
-    }
-    if (!surfaces_find(list, meter->surface_of)) {
+    if (!surfaces_find(&meter->finder, list)) {
         return false;
     }
+    meter->surface_of = meter->finder.of;
     for (size_t i = 0; i < list->count; i++) {
         meter->surface_of[i] |= ALPHA; /* not 0, and a pixel like any other */
     }

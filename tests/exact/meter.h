@@ -4,6 +4,7 @@
 #define TESTS_METER_H
 
 #include "common/triangle.h"
+#include "tests/exact/surface.h"
 #include "tests/program/stages.h"
 
 #define RULER_SIDE 4096    /* texels */
@@ -36,7 +37,7 @@ struct meter {
     struct place *exact; /* what it should have drawn, pixel by pixel; where nothing, not set */
     struct image exact_surfaces;
     uint32_t *surface_of; /* a number for each triangle of the list that is being measured */
-    size_t capacity;      /* of surface_of */
+    struct surfaces finder; /* found them, and owns them */
 };
 
 /* False when there is no memory. */

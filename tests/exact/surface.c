@@ -13,13 +13,6 @@ struct edge {
     uint32_t triangle;
 };
 
-/* An open hash table; its size is a power of two, more than twice the number of edges. */
-struct edge_table {
-    uint32_t *slots; /* an edge's number + 1; 0: free */
-    struct edge *edges;
-    size_t mask;
-};
-
 static bool vertices_equal(const struct vertex *a, const struct vertex *b)
 {
     return a->x == b->x && a->y == b->y && a->z == b->z && a->u == b->u && a->v == b->v;
@@ -46,14 +39,18 @@ static uint64_t hash_float(uint64_t hash, float value)
     return (hash ^ bits) * GOLDEN;
 }
 
+/* Of all that makes edges the same: many may lie in one place, with other depths or texels. */
 static size_t hash_edge(const struct edge *edge)
 {
-    uint64_t hash = 0;
+    uint64_t hash = edge->texture;
 
     for (int i = 0; i < 2; i++) {
-        hash = hash_float(hash, edge->end[i].x);
-        hash = hash_float(hash, edge->end[i].y);
-        hash ^= hash >> 32; /* the low bits of a product know nothing of the high ones */
+        const struct vertex *end = &edge->end[i];
+        const float values[] = {end->x, end->y, end->z, end->u, end->v};
+        for (int k = 0; k < 5; k++) {
+            hash = hash_float(hash, values[k]);
+            hash ^= hash >> 32; /* the low bits of a product know nothing of the high ones */
+        }
     }
     return (size_t)hash;
 }
@@ -76,57 +73,78 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
 }
 
 /* Adds edge `number`, or joins its triangle to the one that has the edge already. */
-static void edge_add(struct edge_table *table, uint32_t number, uint32_t *parent)
+static void edge_add(struct surfaces *surfaces, uint32_t number)
 {
-    const struct edge *edge = &table->edges[number];
-    size_t slot = hash_edge(edge) & table->mask;
+    const struct edge *edge = &surfaces->edges[number];
+    size_t slot = hash_edge(edge) & surfaces->mask;
 
-    for (; table->slots[slot] != 0; slot = (slot + 1) & table->mask) {
-        const struct edge *other = &table->edges[table->slots[slot] - 1];
+    for (; surfaces->slots[slot] != 0; slot = (slot + 1) & surfaces->mask) {
+        const struct edge *other = &surfaces->edges[surfaces->slots[slot] - 1];
         if (vertices_equal(&edge->end[0], &other->end[0]) &&
             vertices_equal(&edge->end[1], &other->end[1]) && edge->texture == other->texture) {
-            join(parent, edge->triangle, other->triangle);
+            join(surfaces->of, edge->triangle, other->triangle);
             return;
         }
     }
-    table->slots[slot] = number + 1;
+    surfaces->slots[slot] = number + 1;
 }
 
-static void join_all(const struct triangle_list *list, struct edge_table *table, uint32_t *parent)
+/* The table of edges has more than twice as many slots as there are edges, a power of two. */
+static bool make_room(struct surfaces *surfaces, size_t triangles)
 {
+    size_t slots = 1;
+
+    if (triangles <= surfaces->capacity) {
+        return true;
+    }
+    while (slots <= 2 * 3 * triangles) {
+        slots *= 2;
+    }
+    surfaces_destroy(surfaces);
+    *surfaces = (struct surfaces){
+        .capacity = triangles,
+        .of = malloc(triangles * sizeof *surfaces->of),
+        .edges = malloc(3 * triangles * sizeof *surfaces->edges),
+        .slots = malloc(slots * sizeof *surfaces->slots),
+        .mask = slots - 1,
+    };
+    if (surfaces->of && surfaces->edges && surfaces->slots) {
+        return true;
+    }
+    surfaces_destroy(surfaces);
+    return false;
+}
+
+bool surfaces_find(struct surfaces *surfaces, const struct triangle_list *list)
+{
+    if (list->count == 0) {
+        return true;
+    }
+    if (!make_room(surfaces, list->count)) {
+        return false;
+    }
+    memset(surfaces->slots, 0, (surfaces->mask + 1) * sizeof *surfaces->slots);
     for (uint32_t i = 0; i < list->count; i++) {
-        parent[i] = i;
+        const struct triangle *triangle = &list->items[i];
+        surfaces->of[i] = i;
         for (uint32_t k = 0; k < 3; k++) {
-            const struct triangle *triangle = &list->items[i];
             const struct vertex *a = &triangle->v[k], *b = &triangle->v[(k + 1) % 3];
             const bool swap = vertex_less(b, a);
-            table->edges[3 * i + k] =
+            surfaces->edges[3 * i + k] =
                 (struct edge){{swap ? *b : *a, swap ? *a : *b}, triangle->texture, i};
-            edge_add(table, 3 * i + k, parent);
+            edge_add(surfaces, 3 * i + k);
         }
     }
     for (uint32_t i = 0; i < list->count; i++) {
-        parent[i] = root(parent, i);
+        surfaces->of[i] = root(surfaces->of, i);
     }
+    return true;
 }
 
-bool surfaces_find(const struct triangle_list *list, uint32_t *surface)
+void surfaces_destroy(struct surfaces *surfaces)
 {
-    size_t size = 1;
-
-    while (size <= 2 * 3 * list->count) {
-        size *= 2;
-    }
-    struct edge_table table = {
-        .slots = calloc(size, sizeof *table.slots),
-        .edges = malloc((3 * list->count + 1) * sizeof *table.edges),
-        .mask = size - 1,
-    };
-    const bool memory = table.slots && table.edges;
-    if (memory) {
-        join_all(list, &table, surface);
-    }
-    free(table.slots);
-    free(table.edges);
-    return memory;
+    free(surfaces->of);
+    free(surfaces->edges);
+    free(surfaces->slots);
+    *surfaces = (struct surfaces){0};
 }

@@ -5,9 +5,19 @@
 #include <stdint.h>
 #include "common/triangle.h"
 
+/* All zeros at first; its memory serves list after list. */
+struct surfaces {
+    uint32_t *of;    /* for each triangle the number of the first triangle of its surface */
+    size_t capacity; /* triangles */
+    struct edge *edges;
+    uint32_t *slots; /* an open hash table: an edge's number + 1; 0: free */
+    size_t mask;
+};
+
 /* Triangles that share an edge, both ends alike in x, y, z, u, v, and the texture as well, belong
- * to one surface. surface[i], for triangle i, is the number of the first triangle of its surface.
- * False when there is no memory. */
-bool surfaces_find(const struct triangle_list *list, uint32_t *surface);
+ * to one surface. False when there is no memory; never for a list no longer than one before. */
+bool surfaces_find(struct surfaces *surfaces, const struct triangle_list *list);
+
+void surfaces_destroy(struct surfaces *surfaces);
 
 #endif

@@ -49,9 +49,12 @@ bool trace_available(const struct stage *stage, const char *option, struct error
 }
 
 /* Room for one record more than `count`, of `size` bytes each: doubled at 1, 2, 4, 8 and so on.
- * NULL when there is no memory; the items are then kept as they are. */
+ * NULL when there is no memory, now or earlier; the items are then kept as they are. */
 static void *grow(void *items, size_t count, size_t size)
 {
+    if (recorder.full) {
+        return NULL; /* nothing more is kept: to grow other items would only lose them */
+    }
     if ((count & (count - 1)) != 0) {
         return items;
     }

@@ -222,17 +222,18 @@ static void test_grid(void)
 static void test_surfaces(void)
 {
     struct triangle_list list = {0};
-    uint32_t surface[6];
+    struct surfaces surfaces = {0};
 
     add_square(&list, 0, 20, 1, 0, 1, 0, 1);
     add_square(&list, 20, 40, 1, 0, 1, 0, 1);  /* meets the first in one corner */
     add_square(&list, 0, 20, 1, 9, -1, 0, 1);  /* on the first, u reversed */
-    check(surfaces_find(&list, surface) && surface[0] == 0 && surface[1] == 0 && surface[2] == 2 &&
-              surface[3] == 2 && surface[4] == 4 && surface[5] == 4,
-          "triangles that share an edge, u and v alike, are one surface",
-          "got %u %u %u %u %u %u, expected 0 0 2 2 4 4", (unsigned)surface[0],
-          (unsigned)surface[1], (unsigned)surface[2], (unsigned)surface[3], (unsigned)surface[4],
-          (unsigned)surface[5]);
+    const bool found = surfaces_find(&surfaces, &list);
+    for (uint32_t i = 0; found && i < 6; i++) {
+        check(surfaces.of[i] == i / 2 * 2,
+              "triangles that share an edge, u and v alike, are one surface",
+              "triangle %u: got %u, expected 0 0 2 2 4 4", (unsigned)i, (unsigned)surfaces.of[i]);
+    }
+    surfaces_destroy(&surfaces);
     triangle_list_destroy(&list);
 }
 

@@ -53,3 +53,13 @@ void test_readme(void)
     check_refused("sh tests/lessons/exercise.sh $TEXMAP_BUILD 3 3");
     check_refused("sh tests/lessons/exercise.sh $TEXMAP_BUILD '' ''");
 }
+
+void test_faults(void)
+{
+    check_script("sh tests/unit/faults.sh");
+}
+
+void test_arithmetic(void)
+{
+    check_script("sh tests/unit/arithmetic.sh");
+}

@@ -14,6 +14,7 @@
     GROUP(raster, test_raster_random) \
     GROUP(raster, test_raster_whole) \
     GROUP(cli, test_cli) \
+    GROUP(cli, test_faults) \
     GROUP(exact, test_exact) \
     GROUP(gates, test_gates) \
     GROUP(asm, test_asm) \
@@ -21,6 +22,7 @@
     GROUP(golden, test_golden) \
     GROUP(limits, test_limits) \
     GROUP(limits, test_limits_entry) \
+    GROUP(limits, test_arithmetic) \
     GROUP(stability, test_stability) \
     GROUP(trace, test_trace) \
     GROUP(trace, test_trace_vanishes) \
