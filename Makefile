@@ -42,7 +42,7 @@ define newline
 
 endef
 
-.PHONY: all test bench chart compare lesson exercise report golden readme pictures stability debug clean \
+.PHONY: all test bench chart lesson exercise report golden readme pictures stability debug clean \
 	help test-page test-exercises test-long test-matrix test-contract test-aarch64 test-valgrind \
 	sanitize torture fuzz FORCE
 .SECONDEXPANSION:
@@ -58,10 +58,6 @@ test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake $(BUILD)/memory
 #: make lesson N=2    what changed from stage 1 to stage 2: source, picture, accuracy and speed
 lesson: $(BUILD)/texmap
 	@sh tests/lessons/lesson.sh $(BUILD) '$(N)'
-
-#: make compare N=3 [WITH=REV]   a changed stage against the last commit's: pixels, accuracy, speed
-compare: $(BUILD)/texmap.a
-	@sh tests/bench/compare.sh $(BUILD) '$(or $(WITH),HEAD)' . '$(N)'
 
 #: make exercise N=3 E=1   an exercise of a lesson: your copy, built and judged
 exercise: $(EXERCISES) $(LIBRARIES)
@@ -168,7 +164,7 @@ test-exercises: $(EXERCISES) $(LIBRARIES)
 
 #: make test-long     stage 5's assembly against stage 4's C in 100 million spans: a minute
 test-long: $(BUILD)/test
-	@TEXMAP_SPANS=100000000 $(BUILD)/test asm
+	@TEXMAP_SEGMENTS=100000000 $(BUILD)/test asm
 
 #: make test-matrix   the same frames from gcc and clang at -O0 to -O3 and -Os, and -march=native
 #: make test-contract a build that may fuse a*b + c draws other frames, and the tests notice
@@ -179,7 +175,7 @@ test-matrix test-contract test-aarch64: test-%: $(BUILD)/texmap
 #: make test-valgrind some of the tests under valgrind's memcheck: two minutes
 test-valgrind: $(BUILD)/test
 	@command -v valgrind > /dev/null || { echo 'valgrind is missing: Debian package valgrind'; exit 1; }
-	@TEXMAP_SPANS=10000 valgrind -q --error-exitcode=99 --leak-check=full \
+	@TEXMAP_SEGMENTS=10000 valgrind -q --error-exitcode=99 --leak-check=full \
 		$(BUILD)/test raster asm files clip
 
 #: make sanitize      every test, built with the address and undefined behaviour sanitizers

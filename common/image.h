@@ -8,7 +8,7 @@
 
 struct image {
     int width, height; /* pixels */
-    int stride;        /* pixels from one row to the next, width .. 32767 */
+    int stride;        /* pixels from one row to the next; in a texture the width */
     uint32_t *pixels;  /* row 0 on top */
 };
 

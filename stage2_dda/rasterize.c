@@ -3,115 +3,111 @@
  * stepped from pixel to pixel, and u = (u/z) / (1/z) is found at each one.
  * After Chris Hecker, "Perspective Texture Mapping" II, Game Developer, 1995: see README.md. */
 #include <assert.h>
+#include <math.h>
 #include "common/image.h"
 #include "common/trace.h"
 #include "common/vertex.h"
 
-static float min(float a, float b) { return a < b ? a : b; }
-static float max(float a, float b) { return a > b ? a : b; }
+typedef float real; /* what the interpolants are kept in */
+
+static inline real max(real a, real b) { return a > b ? a : b; }
 
 /* The three quantities that are linear on the screen: at a place, or their change over a step. */
-struct linear {
-    float one_over_z, u_over_z, v_over_z;
+struct interpolants {
+    real one_over_z, u_over_z, v_over_z;
 };
 
-static struct linear add(struct linear a, struct linear b)
+static inline struct interpolants add(struct interpolants a, struct interpolants b)
 {
-    return (struct linear){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
-                           a.v_over_z + b.v_over_z};
+    return (struct interpolants){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
+                                 a.v_over_z + b.v_over_z};
 }
 
-static struct linear scale(float factor, struct linear a)
+static inline struct interpolants scale(real factor, struct interpolants a)
 {
-    return (struct linear){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+    return (struct interpolants){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
 }
+
+/* From top to bottom, at the same height from left to right. So all six orders of the three
+ * vertices draw the same frame. */
+static inline void sort_two(const struct vertex **first, const struct vertex **second)
+{
+    const struct vertex *a = *first, *b = *second;
+    const bool swap = b->y < a->y || (b->y == a->y && b->x < a->x);
+    *first = swap ? b : a;
+    *second = swap ? a : b;
+}
+
+/* floor(c + 1/2): c >= -1/2, so the cast truncates a number that is not negative. */
+static inline int round_to_pixel(real c) { return (int)(c + (real)0.5); }
 
 /* A vertex in this stage's numbers. */
 struct corner {
     int x, y; /* pixels */
-    struct linear at;
+    int row;  /* the first scanline at or below it */
+    struct interpolants at;
 };
 
-/* floor(c + 1/2): c >= -1/2, so the cast cuts a number that is not negative. */
-static int round_to_pixel(float c) { return (int)(c + 0.5f); }
-
-/* From top to bottom, then left to right: the six orders of three vertices draw the same frame. */
-static void corners_setup(struct corner c[3], const struct vertex v[3])
+static inline struct corner corner_setup(const struct vertex *v)
 {
-    for (int i = 0; i < 3; i++) {
-        const float one_over_z = 1 / v[i].z;
-        const struct linear at = {one_over_z, one_over_z * v[i].u, one_over_z * v[i].v};
-        const struct corner next = {round_to_pixel(v[i].x), round_to_pixel(v[i].y), at};
-        int n = i; /* how many lie above it */
-        for (; n > 0 && (next.y < c[n - 1].y || (next.y == c[n - 1].y && next.x < c[n - 1].x)); n--)
-            c[n] = c[n - 1];
-        c[n] = next;
-    }
+    const real one_over_z = 1 / (real)v->z;
+    const int y = round_to_pixel(v->y);
+    return (struct corner){round_to_pixel(v->x), y, y,
+                           {one_over_z, one_over_z * v->u, one_over_z * v->v}};
 }
 
-struct range { float low, high; }; /* what u or v cannot leave inside the triangle */
-
-/* From the least to the largest of the triangle's three. */
-static struct range range_setup(float a, float b, float c)
-{
-    return (struct range){min(a, min(b, c)), max(a, max(b, c))};
-}
-
-static float hold(float value, struct range r) { return min(max(value, r.low), r.high); }
-
-/* How the linear quantities change over the triangle, and what 1/z, u and v stay within there. */
+/* How the interpolants change over the triangle. */
 struct gradients {
-    float area;           /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
-    struct linear dx, dy; /* change a pixel to the right, a pixel down */
-    float one_over_z_min;
-    struct range u, v;
+    double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
+    struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
+    real one_over_z_min;        /* at a vertex */
 };
 
 /* For f linear on the screen, f0 f1 f2 at the corners:
  *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
+ * In a sliver the numerators are differences of nearly equal products, and float leaves nothing of
+ * them: its gradients are 0. So float errs by less than 2^18 in u/z, which itself is up to 2^18.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
-static bool gradients_setup(struct gradients *g, const struct corner c[3])
+static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
-    const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
-    const double x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    const double x1 = (double)c[1].x - c[0].x, y1 = (double)c[1].y - c[0].y;
+    const double x2 = (double)c[2].x - c[0].x, y2 = (double)c[2].y - c[0].y;
     g->area = x1 * y2 - x2 * y1;
     if (g->area == 0)
         return false;
-    const float one_over_area = 1 / g->area;
-    const struct linear f1 = add(c[1].at, scale(-1, c[0].at));
-    const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
+    const bool sliver = 16384 * fabs(g->area) <= (fabs(x1) + fabs(x2) + 64) * y2;
+    const real one_over_area = sliver ? 0 : 1 / g->area;
+    const struct interpolants f1 = add(c[1].at, scale(-1, c[0].at));
+    const struct interpolants f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
+    g->one_over_z_min = -max(-c[0].at.one_over_z, max(-c[1].at.one_over_z, -c[2].at.one_over_z));
+    TRACE_GRADIENTS(g);
     return true;
 }
 
-/* floor(numerator / denominator), denominator > 0: C's division cuts toward zero instead. */
-static int floor_div(int numerator, int denominator)
+/* floor(numerator / denominator), denominator > 0: C's division truncates toward zero instead. */
+static inline int floor_div(int numerator, int denominator)
 {
     return numerator / denominator - (numerator % denominator < 0);
 }
 
-/* An edge from its top to its bottom corner, and where it is on the current scanline. */
+/* An edge on a scanline. Only the left one carries the interpolants along. */
 struct edge {
-    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
     int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
-    struct linear at, step[2]; /* at x; the change for a scanline down, without and with carry */
+    struct interpolants at, step[2]; /* at x; the change for a scanline down: without, with carry */
 };
 
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (y - y0) dx,  D = dy,  error = the remainder
  * A scanline down N grows by dx = x_step D + numerator. Where the error reaches D it is worth one
  * pixel more: the carry. All integers: nothing is rounded, on any scanline. */
-static void edge_setup(struct edge *edge, const struct gradients *g, const struct corner *top,
-                       const struct corner *bottom)
+static inline void edge_setup(struct edge *edge, const struct gradients *g,
+                              const struct corner *top, const struct corner *bottom)
 {
-    edge->y = top->y;
-    edge->y_end = bottom->y;
-    if (edge->y >= edge->y_end)
-        return; /* no scanline: the edge may be flat, and dx/dy without a value */
     const int dx = bottom->x - top->x, dy = bottom->y - top->y;
     edge->denominator = dy;
     edge->x_step = floor_div(dx, dy);
@@ -121,33 +117,38 @@ static void edge_setup(struct edge *edge, const struct gradients *g, const struc
     edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
     edge->step[1] = add(edge->step[0], g->dx);
     edge->at = top->at;
+    TRACE_EDGE(edge);
 }
 
-static void edge_step(struct edge *edge)
+static inline void edge_step(struct edge *edge)
 {
     edge->error += edge->numerator;
     const int carry = edge->error >= edge->denominator;
     edge->error -= carry ? edge->denominator : 0;
     edge->x += edge->x_step + carry;
     edge->at = add(edge->at, edge->step[carry]);
+    TRACE_EDGE_STEP(edge);
 }
 
 /* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
-static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
-                      const struct edge *left, const struct edge *right, int y)
+static inline void draw_span(struct image *frame, const struct image *texture,
+                             const struct gradients *g, const struct edge *left,
+                             const struct edge *right, int y)
 {
-    const int u_mask = texture->width - 1, v_mask = texture->height - 1;
+    const uint32_t *texels = texture->pixels;
+    const int u_mask = texture->width - 1, v_mask = texture->height - 1, width = texture->width;
     uint32_t *row = &frame->pixels[y * frame->stride];
-    struct linear at = left->at;
-    TRACE_SPAN(y, left, right, at, g->dx)
+    struct interpolants at = left->at;
+    TRACE_SPAN(y, left, right, at, g->dx);
 
     for (int x = left->x; x < right->x; x++) {
-        /* Rounding can carry a sliver's 1/z below 0, and u and v out of their range: held. */
-        const float z = 1 / max(at.one_over_z, g->one_over_z_min);
-        const int u = (int)hold(at.u_over_z * z, g->u) & u_mask;
-        const int v = (int)hold(at.v_over_z * z, g->v) & v_mask;
-        TRACE_PIXEL(row[x], at, z, u, v)
-        row[x] = texture->pixels[v * texture->stride + u];
+        /* Rounding can carry a sliver's 1/z to 0. Not below its least, u and v fit an int:
+         * |u/z| < 2^19 and z <= 2^12. */
+        const real z = 1 / max(at.one_over_z, g->one_over_z_min);
+        const int u = (int)(at.u_over_z * z) & u_mask;
+        const int v = (int)(at.v_over_z * z) & v_mask;
+        TRACE_PIXEL(&row[x], at, z, u, v);
+        row[x] = texels[v * width + u];
         at = add(at, g->dx);
     }
 }
@@ -158,21 +159,28 @@ void stage2_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    struct corner c[3];
-    corners_setup(c, v);
+    const struct vertex *top = &v[0], *middle = &v[1], *bottom = &v[2];
+    sort_two(&top, &middle);
+    sort_two(&middle, &bottom);
+    sort_two(&top, &middle);
+    const struct corner c[3] = {corner_setup(top), corner_setup(middle), corner_setup(bottom)};
     struct gradients g;
     if (!gradients_setup(&g, c))
         return;
-    g.one_over_z_min = 1 / max(v[0].z, max(v[1].z, v[2].z));
-    g.u = range_setup(v[0].u, v[1].u, v[2].u);
-    g.v = range_setup(v[0].v, v[1].v, v[2].v);
 
-    struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
-    edge_setup(&whole, &g, &c[0], &c[2]);
+    /* The long edge is walked once, beside one short edge, then the other. */
+    struct edge left, right;
+    struct edge *long_edge = g.area > 0 ? &left : &right;
+    struct edge *short_edge = g.area > 0 ? &right : &left;
+    edge_setup(long_edge, &g, &c[0], &c[2]);
     for (int i = 0; i < 2; i++) {
-        edge_setup(&half, &g, &c[i], &c[i + 1]);
-        struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
-        for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
-            draw_span(frame, texture, &g, left, right, y);
+        if (c[i].row == c[i + 1].row)
+            continue; /* it crosses no scanline, and may be flat */
+        edge_setup(short_edge, &g, &c[i], &c[i + 1]);
+        for (int y = c[i].row; y < c[i + 1].row; y++) {
+            draw_span(frame, texture, &g, &left, &right, y);
+            edge_step(&left);
+            edge_step(&right);
+        }
     }
 }

@@ -1,4 +1,4 @@
-/* Stage 3: 28.4 fixed-point vertices and edges, the rest in double; texels rounded, not cut.
+/* Stage 3: 28.4 fixed-point vertices; the interpolants in double; texels rounded, not truncated.
  * Seen in perspective, u and v are not linear on the screen, but 1/z, u/z and v/z are: they are
  * stepped from pixel to pixel, and u = (u/z) / (1/z) is found at each one.
  * After Chris Hecker, "Perspective Texture Mapping" III, Game Developer, 1995: see README.md. */
@@ -7,62 +7,72 @@
 #include "common/trace.h"
 #include "common/vertex.h"
 
-static double min(double a, double b) { return a < b ? a : b; }
-static double max(double a, double b) { return a > b ? a : b; }
+typedef double real; /* what the interpolants are kept in */
+
+static inline real min(real a, real b) { return a < b ? a : b; }
+static inline real max(real a, real b) { return a > b ? a : b; }
 
 /* The three quantities that are linear on the screen: at a place, or their change over a step. */
-struct linear {
-    double one_over_z, u_over_z, v_over_z;
+struct interpolants {
+    real one_over_z, u_over_z, v_over_z;
 };
 
-static struct linear add(struct linear a, struct linear b)
+static inline struct interpolants add(struct interpolants a, struct interpolants b)
 {
-    return (struct linear){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
-                           a.v_over_z + b.v_over_z};
+    return (struct interpolants){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
+                                 a.v_over_z + b.v_over_z};
 }
 
-static struct linear scale(double factor, struct linear a)
+static inline struct interpolants scale(real factor, struct interpolants a)
 {
-    return (struct linear){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+    return (struct interpolants){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+}
+
+/* From top to bottom, at the same height from left to right. So all six orders of the three
+ * vertices draw the same frame. */
+static inline void sort_two(const struct vertex **first, const struct vertex **second)
+{
+    const struct vertex *a = *first, *b = *second;
+    const bool swap = b->y < a->y || (b->y == a->y && b->x < a->x);
+    *first = swap ? b : a;
+    *second = swap ? a : b;
+}
+
+#define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
+
+/* floor(c), for |c| < 2^31: the cast truncates toward zero, which is above only what is < 0. */
+static inline int floor_to_int(real c) { return (int)c - ((real)(int)c > c); }
+
+static inline int round_to_28_4(real c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
+
+/* floor(numerator / denominator), denominator > 0: C's division truncates toward zero instead. */
+static inline int floor_div(int numerator, int denominator)
+{
+    return numerator / denominator - (numerator % denominator < 0);
 }
 
 /* A vertex in this stage's numbers. */
 struct corner {
     int x, y; /* 28.4 pixels */
-    struct linear at;
+    int row;  /* the first scanline at or below it */
+    struct interpolants at;
 };
-#define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
-/* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */
-static int floor_to_int(double value)
+static inline struct corner corner_setup(const struct vertex *v)
 {
-    const int cut = (int)value;
-    return cut - (cut > value);
+    const real one_over_z = 1 / (real)v->z;
+    const int y = round_to_28_4(v->y);
+    return (struct corner){round_to_28_4(v->x), y, floor_div(y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
+                           {one_over_z, one_over_z * v->u, one_over_z * v->v}};
 }
 
-static int round_to_28_4(double c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
+struct range { real low, high; }; /* of u or v */
+#define TEXEL_MARGIN 0x1p-20 /* more than rounding adds below; too little to change a texel */
 
-/* From top to bottom, then left to right: the six orders of three vertices draw the same frame. */
-static void corners_setup(struct corner c[3], const struct vertex v[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const double one_over_z = 1.0 / v[i].z;
-        const struct linear at = {one_over_z, one_over_z * v[i].u, one_over_z * v[i].v};
-        const struct corner next = {round_to_28_4(v[i].x), round_to_28_4(v[i].y), at};
-        int n = i; /* how many lie above it */
-        for (; n > 0 && (next.y < c[n - 1].y || (next.y == c[n - 1].y && next.x < c[n - 1].x)); n--)
-            c[n] = c[n - 1];
-        c[n] = next;
-    }
-}
-
-struct range { double low, high; }; /* what u or v cannot leave inside the triangle */
-#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses below, too little to change a texel */
-
-/* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
- * max the range of the triangle's three: from lo - 1/2 to hi + 1/2. A u that is constant, on the
- * border of two texels, has hi = lo - 1: both become the one that is inside the texture. */
-static struct range range_setup(float a, float b, float c, int size)
+/* Where u stays so that only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) show, min and
+ * max being those of the vertices: from lo - 1/2 to hi + 1/2. A u that is constant, on the border
+ * of two texels, has hi = lo - 1: both become the one that is inside the texture. */
+static inline struct range range_setup(real a, real b, real c, int size)
 {
     int lo = floor_to_int(min(a, min(b, c)) + 0.5);
     int hi = -floor_to_int(0.5 - max(a, max(b, c)));
@@ -71,14 +81,10 @@ static struct range range_setup(float a, float b, float c, int size)
     return (struct range){lo - 0.5 + TEXEL_MARGIN, hi + 0.5 - TEXEL_MARGIN};
 }
 
-static double hold(double value, struct range r) { return min(max(value, r.low), r.high); }
-
-/* How the linear quantities change over the triangle, and what 1/z, u and v stay within there. */
+/* How the interpolants change over the triangle; what u and v stay within there. */
 struct gradients {
-    double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
-    struct linear dx, dy; /* change a pixel to the right, a pixel down */
-    struct corner origin; /* the corner from which they are evaluated */
-    double one_over_z_min;
+    double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
+    struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
     struct range u, v;
 };
 
@@ -86,108 +92,114 @@ struct gradients {
  *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
- * With x and y in sixteenths of a pixel both come out sixteen times too small. In double, because
- * a sliver's numerators are differences of nearly equal products.
+ * With x and y in sixteenths of a pixel both come out sixteen times too small.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
-static bool gradients_setup(struct gradients *g, const struct corner c[3])
+static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
-    const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
-    const double x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    const double x1 = (double)c[1].x - c[0].x, y1 = (double)c[1].y - c[0].y;
+    const double x2 = (double)c[2].x - c[0].x, y2 = (double)c[2].y - c[0].y;
     g->area = x1 * y2 - x2 * y1;
     if (g->area == 0)
         return false;
-    const double one_over_area = SUBPIXEL_ONE / g->area;
-    const struct linear f1 = add(c[1].at, scale(-1, c[0].at));
-    const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
+    const real one_over_area = SUBPIXEL_ONE / g->area;
+    const struct interpolants f1 = add(c[1].at, scale(-1, c[0].at));
+    const struct interpolants f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
-    g->origin = c[0];
+    TRACE_GRADIENTS(g);
     return true;
 }
 
-/* floor(numerator / denominator), denominator > 0: C's division cuts toward zero instead. */
-static int floor_div(int numerator, int denominator)
-{
-    return numerator / denominator - (numerator % denominator < 0);
-}
-
-/* An edge from its top to its bottom corner, and where it is on the current scanline. */
+/* An edge on a scanline. Only the left one carries the interpolants along. */
 struct edge {
-    int y, y_end; /* its scanlines: y .. y_end - 1, those whose centres it crosses */
     int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
+    struct interpolants at, step[2]; /* at x; the change for a scanline down: without, with carry */
 };
 
 /* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
  *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
  * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
  * one pixel more: the carry. All integers: nothing is rounded, on any scanline. */
-static void edge_setup(struct edge *edge, const struct corner *top, const struct corner *bottom)
+static inline void edge_setup(struct edge *edge, const struct gradients *g,
+                              const struct corner *top, const struct corner *bottom)
 {
-    edge->y = floor_div(top->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
-    edge->y_end = floor_div(bottom->y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE);
-    if (edge->y >= edge->y_end)
-        return; /* no scanline: the edge may be flat, and dx/dy without a value */
     const int dx = bottom->x - top->x, dy = bottom->y - top->y; /* 28.4, up to 2^16 */
+    const int prestep_y = SUBPIXEL_ONE * top->row - top->y;     /* 28.4, 0 .. 15 */
+    const int x_whole = floor_div(top->x, SUBPIXEL_ONE); /* N counts from here: 32 bits hold it */
     edge->denominator = SUBPIXEL_ONE * dy;
     edge->x_step = floor_div(dx, dy);
     edge->numerator = SUBPIXEL_ONE * (dx - edge->x_step * dy);
-    const int prestep_y = SUBPIXEL_ONE * edge->y - top->y; /* 28.4, 0 .. 15 */
-    const int x_whole = floor_div(top->x, SUBPIXEL_ONE); /* N counts from here: 32 bits hold it */
     const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
-    edge->x = x_whole + floor_div(n, edge->denominator);
-    edge->error = n - (edge->x - x_whole) * edge->denominator;
+    const int x_from_whole = floor_div(n, edge->denominator);
+    edge->x = x_whole + x_from_whole;
+    edge->error = n - x_from_whole * edge->denominator;
+    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
+    edge->step[1] = add(edge->step[0], g->dx);
+    const int prestep_x = SUBPIXEL_ONE * edge->x - top->x; /* 28.4 */
+    edge->at = add(top->at, add(scale((real)prestep_x / SUBPIXEL_ONE, g->dx),
+                                scale((real)prestep_y / SUBPIXEL_ONE, g->dy)));
+    TRACE_EDGE(edge);
 }
 
-static void edge_step(struct edge *edge)
+static inline void edge_step(struct edge *edge)
 {
     edge->error += edge->numerator;
     const int carry = edge->error >= edge->denominator;
     edge->error -= carry ? edge->denominator : 0;
     edge->x += edge->x_step + carry;
+    edge->at = add(edge->at, edge->step[carry]);
+    TRACE_EDGE_STEP(edge);
 }
 
-/* The linear quantities at a pixel's centre: f = f0 + (x - x0) df/dx + (y - y0) df/dy */
-static struct linear linear_at(const struct gradients *g, int x, int y)
-{
-    const double from_x0 = (SUBPIXEL_ONE * x - g->origin.x) / (double)SUBPIXEL_ONE;
-    const double from_y0 = (SUBPIXEL_ONE * y - g->origin.y) / (double)SUBPIXEL_ONE;
-    return add(g->origin.at, add(scale(from_x0, g->dx), scale(from_y0, g->dy)));
-}
-
-#define TEXEL_ONE 65536 /* 16.16 fixed point */
-
-/* What is added to a 16.16 coordinate before its fraction is cut. Where the coordinate rises along
- * the scanline the texel is floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to
- * size - 1/2, or back, stays inside at the end that it draws. The odd 1/65536 takes a c that
- * should lie on a border, and came out just short of it, for what it should be. */
-static uint32_t rounding(double f_over_z, double f_over_z_dx, struct linear at, struct linear dx)
+/* What is added to a coordinate before its fraction is truncated. Where the coordinate rises along
+ * the span the texel is floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to
+ * size - 1/2, or back, stays inside at the end that it draws. The odd 2^-21 takes a c that should
+ * lie on a border, and came out just short of it, for what it should be. 16384 is a multiple of
+ * every texture's side, and makes the sum positive: so truncating is floor. */
+static inline real rounding(real f_over_z, real f_over_z_dx, struct interpolants at,
+                            struct interpolants dx)
 {
     const bool rises = f_over_z_dx * at.one_over_z >= f_over_z * dx.one_over_z; /* df/dx >= 0 */
-    return rises ? TEXEL_ONE / 2 + 1 : TEXEL_ONE / 2 - 1;
+    return 16384.5 + (rises ? 0x1p-21 : -0x1p-21);
+}
+
+/* u/z where low <= u <= high, that is low/z <= u/z <= high/z. */
+static inline real clamp(real u_over_z, real one_over_z, struct range u)
+{
+    return min(max(u_over_z, u.low * one_over_z), u.high * one_over_z);
 }
 
 /* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
-static void draw_span(struct image *frame, const struct image *texture, const struct gradients *g,
-                      const struct edge *left, const struct edge *right, int y)
+static inline void draw_span(struct image *frame, const struct image *texture,
+                             const struct gradients *g, const struct edge *left,
+                             const struct edge *right, int y)
 {
-    const uint32_t u_mask = texture->width - 1, v_mask = texture->height - 1;
+    const int last = right->x - left->x - 1;
+    if (last < 0)
+        return;
+    const uint32_t *texels = texture->pixels;
+    const int u_mask = texture->width - 1, v_mask = texture->height - 1, width = texture->width;
     uint32_t *row = &frame->pixels[y * frame->stride];
-    struct linear at = linear_at(g, left->x, y);
-    TRACE_SPAN(y, left, right, at, g->dx)
-    const uint32_t u_rounding = rounding(at.u_over_z, g->dx.u_over_z, at, g->dx);
-    const uint32_t v_rounding = rounding(at.v_over_z, g->dx.v_over_z, at, g->dx);
+    struct interpolants at = left->at, dx = g->dx;
+    const real u_rounding = rounding(at.u_over_z, dx.u_over_z, at, dx);
+    const real v_rounding = rounding(at.v_over_z, dx.v_over_z, at, dx);
+
+    const struct interpolants end = add(at, scale(last, dx));
+    at.u_over_z = clamp(at.u_over_z, at.one_over_z, g->u);
+    at.v_over_z = clamp(at.v_over_z, at.one_over_z, g->v);
+    const real per_pixel = 1 / max(last, 1);
+    dx.u_over_z = (clamp(end.u_over_z, end.one_over_z, g->u) - at.u_over_z) * per_pixel;
+    dx.v_over_z = (clamp(end.v_over_z, end.one_over_z, g->v) - at.v_over_z) * per_pixel;
+    TRACE_SPAN(y, left, right, at, dx);
 
     for (int x = left->x; x < right->x; x++) {
-        /* Rounding can carry a sliver's 1/z below 0, and u and v out of their range: held. */
-        const double z = 1 / max(at.one_over_z, g->one_over_z_min);
-        const int u_16_16 = (int)(hold(at.u_over_z * z, g->u) * TEXEL_ONE);
-        const int v_16_16 = (int)(hold(at.v_over_z * z, g->v) * TEXEL_ONE);
-        const uint32_t u = (u_16_16 + u_rounding) >> 16 & u_mask;
-        const uint32_t v = (v_16_16 + v_rounding) >> 16 & v_mask;
-        TRACE_PIXEL(row[x], at, z, u, v)
-        row[x] = texture->pixels[v * texture->stride + u];
-        at = add(at, g->dx);
+        const real z = 1 / at.one_over_z;
+        const int u = (int)(at.u_over_z * z + u_rounding) & u_mask;
+        const int v = (int)(at.v_over_z * z + v_rounding) & v_mask;
+        TRACE_PIXEL(&row[x], at, z, u, v);
+        row[x] = texels[v * width + u];
+        at = add(at, dx);
     }
 }
 
@@ -197,21 +209,30 @@ void stage3_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    struct corner c[3];
-    corners_setup(c, v);
+    const struct vertex *top = &v[0], *middle = &v[1], *bottom = &v[2];
+    sort_two(&top, &middle);
+    sort_two(&middle, &bottom);
+    sort_two(&top, &middle);
+    const struct corner c[3] = {corner_setup(top), corner_setup(middle), corner_setup(bottom)};
     struct gradients g;
     if (!gradients_setup(&g, c))
         return;
-    g.one_over_z_min = 1 / max(v[0].z, max(v[1].z, v[2].z));
     g.u = range_setup(v[0].u, v[1].u, v[2].u, texture->width);
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
-    struct edge whole, half; /* the long edge is walked once, not split at the middle corner */
-    edge_setup(&whole, &c[0], &c[2]);
+    /* The long edge is walked once, beside one short edge, then the other. */
+    struct edge left, right;
+    struct edge *long_edge = g.area > 0 ? &left : &right;
+    struct edge *short_edge = g.area > 0 ? &right : &left;
+    edge_setup(long_edge, &g, &c[0], &c[2]);
     for (int i = 0; i < 2; i++) {
-        edge_setup(&half, &c[i], &c[i + 1]);
-        struct edge *left = g.area > 0 ? &whole : &half, *right = g.area > 0 ? &half : &whole;
-        for (int y = half.y; y < half.y_end; y++, edge_step(left), edge_step(right))
-            draw_span(frame, texture, &g, left, right, y);
+        if (c[i].row == c[i + 1].row)
+            continue; /* it crosses no scanline, and may be flat */
+        edge_setup(short_edge, &g, &c[i], &c[i + 1]);
+        for (int y = c[i].row; y < c[i + 1].row; y++) {
+            draw_span(frame, texture, &g, &left, &right, y);
+            edge_step(&left);
+            edge_step(&right);
+        }
     }
 }

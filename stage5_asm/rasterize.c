@@ -5,78 +5,89 @@
 #include <assert.h>
 #include <stddef.h>
 #include "common/image.h"
+#include "common/trace.h"
 #include "common/vertex.h"
 
-static float min(float a, float b) { return a < b ? a : b; }
-static float max(float a, float b) { return a > b ? a : b; }
+typedef double real; /* what the interpolants are kept in */
+
+static inline float min(float a, float b) { return a < b ? a : b; }
+static inline float max(float a, float b) { return a > b ? a : b; }
 
 /* The three quantities that are linear on the screen: at a place, or their change over a step. */
-struct linear {
-    double one_over_z, u_over_z, v_over_z;
+struct interpolants {
+    real one_over_z, u_over_z, v_over_z;
 };
 
-static struct linear add(struct linear a, struct linear b)
+static inline struct interpolants add(struct interpolants a, struct interpolants b)
 {
-    return (struct linear){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
-                           a.v_over_z + b.v_over_z};
+    return (struct interpolants){a.one_over_z + b.one_over_z, a.u_over_z + b.u_over_z,
+                                 a.v_over_z + b.v_over_z};
 }
 
-static struct linear scale(double factor, struct linear a)
+static inline struct interpolants scale(real factor, struct interpolants a)
 {
-    return (struct linear){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+    return (struct interpolants){factor * a.one_over_z, factor * a.u_over_z, factor * a.v_over_z};
+}
+
+/* From top to bottom, at the same height from left to right. So all six orders of the three
+ * vertices draw the same frame. */
+static inline void sort_two(const struct vertex **first, const struct vertex **second)
+{
+    const struct vertex *a = *first, *b = *second;
+    const bool swap = b->y < a->y || (b->y == a->y && b->x < a->x);
+    *first = swap ? b : a;
+    *second = swap ? a : b;
+}
+
+#define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
+
+/* floor(c), for |c| < 2^31: the cast truncates toward zero, which is above only what is < 0. */
+static inline int floor_to_int(real c) { return (int)c - ((real)(int)c > c); }
+
+static inline int round_to_28_4(real c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
+
+/* floor(numerator / denominator), denominator > 0: C's division truncates toward zero instead. */
+static inline int floor_div(int numerator, int denominator)
+{
+    return numerator / denominator - (numerator % denominator < 0);
 }
 
 /* A vertex in this stage's numbers. */
 struct corner {
     int x, y; /* 28.4 pixels */
-    struct linear at;
+    int row;  /* the first scanline at or below it */
+    struct interpolants at;
 };
-#define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
-/* floor(value) for |value| < 2^31: the cast cuts toward zero, which is above only what is < 0. */
-static int floor_to_int(double value)
+static inline struct corner corner_setup(const struct vertex *v)
 {
-    const int cut = (int)value;
-    return cut - (cut > value);
+    const real one_over_z = 1 / (real)v->z;
+    const int y = round_to_28_4(v->y);
+    return (struct corner){round_to_28_4(v->x), y, floor_div(y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
+                           {one_over_z, one_over_z * v->u, one_over_z * v->v}};
 }
 
-static int round_to_28_4(double c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
+struct range { float low, high; }; /* of u or v */
+#define TEXEL_MARGIN 0x1p-7f /* more than rounding adds below; may bend a segment by as much */
 
-/* From top to bottom, then left to right: the six orders of three vertices draw the same frame. */
-static void corners_setup(struct corner c[3], const struct vertex v[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const double one_over_z = 1.0 / v[i].z;
-        const struct linear at = {one_over_z, one_over_z * v[i].u, one_over_z * v[i].v};
-        const struct corner next = {round_to_28_4(v[i].x), round_to_28_4(v[i].y), at};
-        int n = i; /* how many lie above it */
-        for (; n > 0 && (next.y < c[n - 1].y || (next.y == c[n - 1].y && next.x < c[n - 1].x)); n--)
-            c[n] = c[n - 1];
-        c[n] = next;
-    }
-}
-
-struct range { float low, high; }; /* what u or v cannot leave inside the triangle */
-#define TEXEL_MARGIN (1 / 128.0) /* more than rounding loses; may bend a segment by as much */
-
-/* What u may be where only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) may show, min and
- * max the range of the triangle's three: from lo - 1/2 to hi + 1/2. A u that is constant, on the
- * border of two texels, has hi = lo - 1: both become the one that is inside the texture. */
-static struct range range_setup(float a, float b, float c, int size)
+/* Where u stays so that only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) show, min and
+ * max being those of the vertices: from lo - 1/2 to hi + 1/2. A u that is constant, on the border
+ * of two texels, has hi = lo - 1: both become the one that is inside the texture. */
+static inline struct range range_setup(float a, float b, float c, int size)
 {
     int lo = floor_to_int(min(a, min(b, c)) + 0.5);
     int hi = -floor_to_int(0.5 - max(a, max(b, c)));
     if (hi < lo)
         lo = hi = hi == size - 1 ? hi : lo;
-    return (struct range){lo - 0.5 + TEXEL_MARGIN, hi + 0.5 - TEXEL_MARGIN};
+    return (struct range){max(lo - 0.5f + TEXEL_MARGIN, -TEXEL_MAX),
+                          min(hi + 0.5f - TEXEL_MARGIN, TEXEL_MAX)};
 }
 
-/* How the linear quantities change over the triangle, and what 1/z, u and v stay within there. */
+/* How the interpolants change over the triangle; what u and v stay within there. */
 struct gradients {
-    double area;          /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
-    struct linear dx, dy; /* change a pixel to the right, a pixel down */
-    struct corner origin; /* the corner from which they are evaluated */
-    float one_over_z_min;
+    double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
+    struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
+    float one_over_z_min; /* at a vertex */
     struct range u, v;
 };
 
@@ -84,66 +95,149 @@ struct gradients {
  *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
- * With x and y in sixteenths of a pixel both come out sixteen times too small. In double, because
- * a sliver's numerators are differences of nearly equal products.
+ * With x and y in sixteenths of a pixel both come out sixteen times too small.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
-static bool gradients_setup(struct gradients *g, const struct corner c[3])
+static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
-    const double x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
-    const double x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    const double x1 = (double)c[1].x - c[0].x, y1 = (double)c[1].y - c[0].y;
+    const double x2 = (double)c[2].x - c[0].x, y2 = (double)c[2].y - c[0].y;
     g->area = x1 * y2 - x2 * y1;
     if (g->area == 0)
         return false;
-    const double one_over_area = SUBPIXEL_ONE / g->area;
-    const struct linear f1 = add(c[1].at, scale(-1, c[0].at));
-    const struct linear f2 = add(c[2].at, scale(-1, c[0].at));
+    const real one_over_area = SUBPIXEL_ONE / g->area;
+    const struct interpolants f1 = add(c[1].at, scale(-1, c[0].at));
+    const struct interpolants f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
-    g->origin = c[0];
+    TRACE_GRADIENTS(g);
     return true;
 }
 
-/* floor(numerator / denominator), denominator > 0: C's division cuts toward zero instead. */
-static int floor_div(int numerator, int denominator)
-{
-    return numerator / denominator - (numerator % denominator < 0);
-}
-
-/* The triangle's scanlines, y .. y_end - 1; from y_middle on the lower edge takes the upper one's
- * place. x on the first of them and what it grows by: of the whole edge, the upper, the lower. */
-struct edges {
-    int y, y_middle, y_end;
-    double x[3], x_step[3];
+/* An edge on a scanline. Only the left one carries the interpolants along. */
+struct edge {
+    int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
+    int error, numerator, denominator; /* 0 <= error < denominator */
+    struct interpolants at, step[2]; /* at x; the change for a scanline down: without, with carry */
 };
 
-/* x(y) = ceil(x0 + (y - y0) dx/dy) as in stage 4, but a double's low bits carry the error term. The
- * quotient is a multiple of 1/D, D = 16 dy. Half of that less, it is 1/(2D) = 2^-5/dy away from any
- * integer; and |x| is about 2^28/dy at most, 2^12 scanlines away from the edge, so that some 2^10
- * roundings err by less than 2^-14/dy. So 1 more, and cut, it is the ceiling: exactly. */
-static void edge_setup(struct edges *edges, int i, const struct corner *top,
-                       const struct corner *bottom)
+/* x(y) = ceil(x0 + (y - y0) dx/dy), kept as a whole number and an error term; x0 .. dy in 28.4:
+ *   x(y) = floor((N + D - 1) / D),  N = x0 dy + (16 y - y0) dx,  D = 16 dy,  error = the remainder
+ * A scanline down N grows by 16 dx = x_step D + numerator. Where the error reaches D it is worth
+ * one pixel more: the carry. All integers: nothing is rounded, on any scanline. */
+static inline void edge_setup(struct edge *edge, const struct gradients *g,
+                              const struct corner *top, const struct corner *bottom)
 {
-    const double one_over_dy = bottom->y > top->y ? 1.0 / (bottom->y - top->y) : 0; /* 28.4 */
-    edges->x_step[i] = (bottom->x - top->x) * one_over_dy;
-    edges->x[i] = (top->x + (SUBPIXEL_ONE * edges->y - top->y) * edges->x_step[i]) / SUBPIXEL_ONE +
-                  1 - one_over_dy / (2 * SUBPIXEL_ONE);
+    const int dx = bottom->x - top->x, dy = bottom->y - top->y; /* 28.4, up to 2^16 */
+    const int prestep_y = SUBPIXEL_ONE * top->row - top->y;     /* 28.4, 0 .. 15 */
+    const int x_whole = floor_div(top->x, SUBPIXEL_ONE); /* N counts from here: 32 bits hold it */
+    edge->denominator = SUBPIXEL_ONE * dy;
+    edge->x_step = floor_div(dx, dy);
+    edge->numerator = SUBPIXEL_ONE * (dx - edge->x_step * dy);
+    const int n = (top->x - SUBPIXEL_ONE * x_whole) * dy + prestep_y * dx + edge->denominator - 1;
+    const int x_from_whole = floor_div(n, edge->denominator);
+    edge->x = x_whole + x_from_whole;
+    edge->error = n - x_from_whole * edge->denominator;
+    edge->step[0] = add(g->dy, scale(edge->x_step, g->dx));
+    edge->step[1] = add(edge->step[0], g->dx);
+    const int prestep_x = SUBPIXEL_ONE * edge->x - top->x; /* 28.4 */
+    edge->at = add(top->at, add(scale((real)prestep_x / SUBPIXEL_ONE, g->dx),
+                                scale((real)prestep_y / SUBPIXEL_ONE, g->dy)));
+    TRACE_EDGE(edge);
 }
 
-/* In span.S: all of the triangle's pixels. */
-void stage5_draw_rows(struct image *frame, const struct image *texture, const struct gradients *g,
-                      const struct edges *edges);
-_Static_assert(offsetof(struct image, height) == 4 && offsetof(struct image, stride) == 8 &&
-               offsetof(struct image, pixels) == 16, "I_HEIGHT, I_STRIDE, I_PIXELS in span.S");
-_Static_assert(offsetof(struct gradients, dx) == 8, "G_DX in span.S");
-_Static_assert(offsetof(struct gradients, dy) == 32 && offsetof(struct gradients, origin) == 56 &&
-               offsetof(struct corner, y) == 4 && offsetof(struct corner, at) == 8,
-               "G_DY, G_X, G_Y, G_AT in span.S");
-_Static_assert(offsetof(struct gradients, one_over_z_min) == 88, "G_ONE_OVER_Z_MIN in span.S");
-_Static_assert(offsetof(struct gradients, u) == 92 && offsetof(struct gradients, v) == 100 &&
-               offsetof(struct range, high) == 4, "G_RANGES in span.S");
-_Static_assert(offsetof(struct edges, y_middle) == 4 && offsetof(struct edges, y_end) == 8 &&
-               offsetof(struct edges, x) == 16 && offsetof(struct edges, x_step) == 40,
-               "E_Y_MIDDLE, E_Y_END, E_X, E_X_STEP in span.S");
+static inline void edge_step(struct edge *edge)
+{
+    edge->error += edge->numerator;
+    const int carry = edge->error >= edge->denominator;
+    edge->error -= carry ? edge->denominator : 0;
+    edge->x += edge->x_step + carry;
+    edge->at = add(edge->at, edge->step[carry]);
+    TRACE_EDGE_STEP(edge);
+}
+
+/* A texture whose rows follow one another: texel (u, v) is pixels[v width + u]. */
+struct texels {
+    const uint32_t *pixels;
+    int u_mask, v_mask; /* v_mask times width */
+    int v_shift;             /* takes a 16.16 v to v width */
+};
+
+static inline struct texels texels_setup(const struct image *texture)
+{
+    int v_shift = 16;
+    while (texture->width >> (16 - v_shift) > 1)
+        v_shift--;
+    return (struct texels){texture->pixels, texture->width - 1,
+                           (texture->height - 1) * texture->width, v_shift};
+}
+
+#define TEXEL_ONE 65536 /* 16.16 fixed point */
+#define TIE 4           /* 16.16: more than a float of up to 256 loses on its way */
+
+#define SEGMENT_LENGTH 16 /* pixels from one divide to the next */
+
+/* `count` pixels, on the line from where the interpolants are `at` to `length` pixels on. */
+struct segment {
+    struct interpolants at;
+    double length;
+    uint32_t *pixels;
+    int count;
+};
+
+/* Segments that wait to be drawn, four at a time. */
+#define QUEUE_LENGTH 16
+struct queue {
+    struct segment segments[QUEUE_LENGTH];
+    int count;
+    const struct texels *texels;
+    const struct gradients *g;
+};
+
+/* In span.S: draws the segments, at least one. */
+void stage5_draw_segments(const struct segment *segments, int count, const struct texels *texels,
+                          const struct gradients *g);
+_Static_assert(sizeof(struct segment) == 48 && offsetof(struct segment, length) == 24 &&
+               offsetof(struct segment, pixels) == 32 && offsetof(struct segment, count) == 40,
+               "S_LENGTH .. S_SIZE in span.S");
+_Static_assert(offsetof(struct texels, u_mask) == 8 && offsetof(struct texels, v_mask) == 12 &&
+               offsetof(struct texels, v_shift) == 16, "T_U_MASK .. T_V_SHIFT in span.S");
+_Static_assert(offsetof(struct gradients, dx) == 8 &&
+               offsetof(struct gradients, one_over_z_min) == 56 &&
+               offsetof(struct gradients, u) == 60 && offsetof(struct gradients, v) == 68,
+               "G_DX .. G_RANGES in span.S");
+
+static inline void draw_queue(struct queue *queue)
+{
+    stage5_draw_segments(queue->segments, queue->count, queue->texels, queue->g);
+    queue->count = 0;
+}
+
+static inline void draw_segment(struct queue *queue, uint32_t *pixels, int count,
+                                struct interpolants at, int length)
+{
+    TRACE_SEGMENT(pixels, count, at, length);
+    queue->segments[queue->count++] = (struct segment){at, length, pixels, count};
+    if (queue->count == QUEUE_LENGTH)
+        draw_queue(queue);
+}
+
+/* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
+static inline void draw_span(struct image *frame, struct queue *queue,
+                             const struct gradients *g, const struct edge *left,
+                             const struct edge *right, int y)
+{
+    int last = right->x - left->x - 1; /* no segment ends beyond: 1/z may reach 0 there */
+    if (last < 0)
+        return;
+    uint32_t *pixels = &frame->pixels[y * frame->stride + left->x];
+    struct interpolants at = left->at;
+    TRACE_SPAN(y, left, right, at, g->dx);
+    for (; last >= SEGMENT_LENGTH; last -= SEGMENT_LENGTH, pixels += SEGMENT_LENGTH) {
+        draw_segment(queue, pixels, SEGMENT_LENGTH, at, SEGMENT_LENGTH);
+        at = add(at, scale(SEGMENT_LENGTH, g->dx));
+    }
+    draw_segment(queue, pixels, last + 1, at, last > 0 ? last : 1);
+}
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
  * - 1/2, and in the limits of common/vertex.h. The texture repeats; its sides are powers of two. */
@@ -151,9 +245,12 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    assert(texture->stride <= INT16_MAX); /* span.S multiplies by it as a signed word */
-    struct corner c[3];
-    corners_setup(c, v);
+    const struct texels texels = texels_setup(texture);
+    const struct vertex *top = &v[0], *middle = &v[1], *bottom = &v[2];
+    sort_two(&top, &middle);
+    sort_two(&middle, &bottom);
+    sort_two(&top, &middle);
+    const struct corner c[3] = {corner_setup(top), corner_setup(middle), corner_setup(bottom)};
     struct gradients g;
     if (!gradients_setup(&g, c))
         return;
@@ -161,15 +258,25 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
     g.u = range_setup(v[0].u, v[1].u, v[2].u, texture->width);
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
-    struct edges edges = {
-        .y = floor_div(c[0].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
-        .y_middle = floor_div(c[1].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
-        .y_end = floor_div(c[2].y + SUBPIXEL_ONE - 1, SUBPIXEL_ONE),
-    };
-    if (edges.y >= edges.y_end)
-        return;
-    edge_setup(&edges, 0, &c[0], &c[2]); /* the long edge is walked once, not split */
-    edge_setup(&edges, 1, &c[0], &c[1]);
-    edge_setup(&edges, 2, &c[1], &c[2]);
-    stage5_draw_rows(frame, texture, &g, &edges);
+    struct queue queue;
+    queue.count = 0;
+    queue.texels = &texels;
+    queue.g = &g;
+    /* The long edge is walked once, beside one short edge, then the other. */
+    struct edge left, right;
+    struct edge *long_edge = g.area > 0 ? &left : &right;
+    struct edge *short_edge = g.area > 0 ? &right : &left;
+    edge_setup(long_edge, &g, &c[0], &c[2]);
+    for (int i = 0; i < 2; i++) {
+        if (c[i].row == c[i + 1].row)
+            continue; /* it crosses no scanline, and may be flat */
+        edge_setup(short_edge, &g, &c[i], &c[i + 1]);
+        for (int y = c[i].row; y < c[i + 1].row; y++) {
+            draw_span(frame, &queue, &g, &left, &right, y);
+            edge_step(&left);
+            edge_step(&right);
+        }
+    }
+    if (queue.count > 0)
+        draw_queue(&queue);
 }

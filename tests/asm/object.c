@@ -84,7 +84,7 @@ static bool keeps_to_control_flow(const struct object *object)
 }
 
 /* In stage5_asm/span.S; here without its arguments, as it is not called. */
-void stage5_draw_rows(void);
+void stage5_draw_segments(void);
 
 /* ISO C has no cast from a function to what its bytes are. */
 static bool begins_with_endbr64(void (*function)(void))
@@ -154,7 +154,7 @@ void test_asm_object(void)
         check(stack_not_executable(&object), "the stack need not be executable", "%s", path);
         check(keeps_to_control_flow(&object), "control-flow enforcement may be on", "%s", path);
     }
-    check(begins_with_endbr64(stage5_draw_rows), "an indirect call may land on stage5_draw_rows",
+    check(begins_with_endbr64(stage5_draw_segments), "an indirect call may land on stage5_draw_segments",
           "it does not begin with endbr64");
     test_readers(&object);
     globfree(&found);

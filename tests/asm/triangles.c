@@ -133,7 +133,7 @@ static bool far_corner(char text[ASM_TEXT])
     return same;
 }
 
-bool asm_triangles(long spans, char text[ASM_TEXT])
+bool asm_triangles(long segments, char text[ASM_TEXT])
 {
     static const struct { int width, height, count; } sizes[] = {
         {FRAME_SIDE_MAX, 1, TRIANGLES}, {1, FRAME_SIDE_MAX, TRIANGLES},
@@ -143,7 +143,7 @@ bool asm_triangles(long spans, char text[ASM_TEXT])
     struct random random = random_start(504);
     bool same = far_corner(text);
 
-    (void)spans;
+    (void)segments;
     for (size_t i = 0; same && i < sizeof sizes / sizeof *sizes; i++) {
         same = random_triangles(&random, sizes[i].width, sizes[i].height, sizes[i].count, text);
     }

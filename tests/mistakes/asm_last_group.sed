@@ -1,3 +1,3 @@
-# stage5_asm/span.S: spans are stage 4's, bit for bit
-# The last four of several scanlines are set up, but not drawn.
-s/^\( *mov *\[rsp + F_GROUPS_END\], r13\)$/sub r13, GROUP_SIZE\n&/
+# stage5_asm/span.S: segments are stage 4's, bit for bit
+# A last group of one segment is not drawn.
+/^next: /,/jg/s/^\( *\)jg  *draw$/\1cmp     dword ptr [rsp + F_LEFT], 1\n\1jg      draw/

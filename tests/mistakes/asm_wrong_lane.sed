@@ -1,3 +1,3 @@
-# stage5_asm/span.S: spans are stage 4's, bit for bit
-# The next four segments start where the third one ended, not the fourth.
-s/^\( *shufps *xmm7, xmm7, \)0xff$/\10xaa/
+# stage5_asm/span.S: segments are stage 4's, bit for bit
+# A group of three draws its second segment twice, and not its third.
+/^ *cmp *\\left, 3$/s/3/4/

@@ -1,4 +1,4 @@
 # stage3_fixed28_4/rasterize.c: coverage is exact for the rounded vertices
 # Bottom-right for top-left: floor(c) + 1 for ceil(c), in rows and in columns.
-s/->y + SUBPIXEL_ONE - 1,/->y + SUBPIXEL_ONE,/
+s/floor_div(y + SUBPIXEL_ONE - 1,/floor_div(y + SUBPIXEL_ONE,/
 s/ + edge->denominator - 1;/ + edge->denominator;/

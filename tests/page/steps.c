@@ -54,7 +54,8 @@ bool report_chords(FILE *out, struct error *error)
                         CHORDS_HEIGHT, &trace)) {
         return error_set(error, "report: no memory for a trace");
     }
-    const bool kept = trace_keep_row(&trace, CHORDS_ROW);
+    int first, last;
+    const bool kept = trace_keep_row(&trace, CHORDS_ROW, &first, &last);
     if (kept) {
         trace_write_json(out, &trace);
     }

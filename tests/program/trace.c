@@ -8,29 +8,36 @@
 
 static bool choose_row(struct trace *trace, const struct options *options, struct error *error)
 {
-    if (!(options->given & OPTION_ROW) || trace_keep_row(trace, options->row)) {
+    int first, last;
+
+    if (!(options->given & OPTION_ROW) || trace_keep_row(trace, options->row, &first, &last)) {
         return true;
     }
-    if (trace->row_count == 0) {
+    if (first > last) {
         return error_set(error, "--row %d: triangle %d has no rows in %s", options->row,
                          options->triangle, trace->stage->name);
     }
     return error_set(error, "--row %d: triangle %d has rows %d to %d in %s", options->row,
-                     options->triangle, trace->rows[0].y, trace->rows[trace->row_count - 1].y,
-                     trace->stage->name);
+                     options->triangle, first, last, trace->stage->name);
+}
+
+/* The triangles of a file as it gives them; of a scene as its clipping leaves them. */
+static const struct triangle_list *triangles_of(const struct source *source)
+{
+    return source->scene == SCENE_COUNT ? &source->given : &source->triangles;
 }
 
 static bool trace_source(const struct source *source, const struct stage *stage,
                          const struct options *options, struct trace *trace, struct error *error)
 {
-    const size_t count = source->triangles.count;
+    const struct triangle_list *list = triangles_of(source);
 
-    if ((size_t)options->triangle >= count) {
-        return error_set(error, "--triangle %d: %s at %dx%d has %zu triangle%s, counted from 0",
-                         options->triangle, source->name, source->size.width, source->size.height,
-                         count, count == 1 ? "" : "s");
+    if ((size_t)options->triangle >= list->count) {
+        return error_set(error, "--triangle %d: %s has %zu triangle%s, counted from 0",
+                         options->triangle, source->name, list->count,
+                         list->count == 1 ? "" : "s");
     }
-    const struct triangle *triangle = &source->triangles.items[options->triangle];
+    const struct triangle *triangle = &list->items[options->triangle];
     if (!trace_triangle(stage, triangle, &source->textures[triangle->texture], source->size.width,
                         source->size.height, trace)) {
         return error_set(error, "trace: no memory");
@@ -82,7 +89,7 @@ static enum outcome run(const struct options *options, struct error *error)
             done = write_to(options->csv, trace_write_csv, &trace, error);
         } else {
             printf("%s, triangle %d of %s, counted from 0 to %zu, in drawing order\n\n",
-                   stage->name, options->triangle, source.name, source.triangles.count - 1);
+                   stage->name, options->triangle, source.name, triangles_of(&source)->count - 1);
             trace_write_table(stdout, &trace);
         }
         trace_destroy(&trace);

@@ -4,8 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/exact/exact.h"
-#include "tests/trace/hooks.h"
+#include "common/clip.h"
 
 /* The stages' own sources, built a second time. */
 draw_triangle trace1_draw_triangle, trace2_draw_triangle, trace3_draw_triangle,
@@ -14,15 +13,7 @@ draw_triangle trace1_draw_triangle, trace2_draw_triangle, trace3_draw_triangle,
 static draw_triangle *const traced[] = {trace1_draw_triangle, trace2_draw_triangle,
                                         trace3_draw_triangle, trace4_draw_triangle};
 #define TRACED_COUNT 4
-
-#define TEXEL_ONE 65536 /* 16.16 fixed point */
-
-/* What the hooks write to: a stage's draw function has no argument for it. */
-static struct {
-    struct trace *trace;
-    const struct image *frame;
-    bool full; /* no memory */
-} recorder;
+#define BORDER 1e-6 /* texels: on a border between two, either is right */
 
 /* Stages 1 to 4 alone have a digit that traced[] knows. */
 static int traced_index(const struct stage *stage)
@@ -48,81 +39,6 @@ bool trace_available(const struct stage *stage, const char *option, struct error
                      option, stage->name);
 }
 
-/* Room for one record more than `count`, of `size` bytes each: doubled at 1, 2, 4, 8 and so on.
- * NULL when there is no memory, now or earlier; the items are then kept as they are. */
-static void *grow(void *items, size_t count, size_t size)
-{
-    if (recorder.full) {
-        return NULL; /* nothing more is kept: to grow other items would only lose them */
-    }
-    if ((count & (count - 1)) != 0) {
-        return items;
-    }
-    void *larger = realloc(items, (count ? 2 * count : 1) * size);
-    recorder.full |= !larger;
-    return larger;
-}
-
-void trace_add_row(const struct trace_row *row)
-{
-    struct trace *trace = recorder.trace;
-    struct trace_row *rows = grow(trace->rows, trace->row_count, sizeof *rows);
-
-    if (rows) {
-        trace->rows = rows;
-        rows[trace->row_count] = *row;
-        rows[trace->row_count].first_pixel = trace->pixel_count;
-        rows[trace->row_count++].first_segment = trace->segment_count;
-    }
-}
-
-static double column(const uint32_t *address)
-{
-    return (double)((address - recorder.frame->pixels) % recorder.frame->stride);
-}
-
-void trace_add_segment(const struct trace_segment *segment, const uint32_t *first)
-{
-    struct trace *trace = recorder.trace;
-    struct trace_segment *segments = grow(trace->segments, trace->segment_count, sizeof *segments);
-
-    if (segments && !recorder.full) {
-        trace->segments = segments;
-        segments[trace->segment_count] = *segment;
-        segments[trace->segment_count++].x = column(first);
-        trace->rows[trace->row_count - 1].segment_count++;
-    }
-}
-
-/* A 16.16 coordinate on its way from start, without the half that start_16_16 has for rounding. */
-static double without_half(double c_16_16, double start, double start_16_16)
-{
-    const double half = start_16_16 - trunc(start * TEXEL_ONE);
-    return (c_16_16 - half) / TEXEL_ONE;
-}
-
-void trace_add_pixel(const struct trace_pixel *pixel, const uint32_t *address)
-{
-    struct trace *trace = recorder.trace;
-    struct trace_pixel *pixels = grow(trace->pixels, trace->pixel_count, sizeof *pixels);
-
-    if (!pixels || recorder.full) {
-        return;
-    }
-    struct trace_row *row = &trace->rows[trace->row_count - 1];
-    struct trace_pixel *added = &pixels[trace->pixel_count++];
-    trace->pixels = pixels;
-    *added = *pixel;
-    added->x = column(address);
-    if (row->segment_count > 0) {
-        const struct trace_segment *s = &trace->segments[trace->segment_count - 1];
-        added->u = without_half(pixel->u_16_16, s->u, s->u_16_16);
-        added->v = without_half(pixel->v_16_16, s->v, s->v_16_16);
-    }
-    row->span.x = row->pixel_count++ == 0 ? added->x : row->span.x;
-    row->span.count++;
-}
-
 /* Every texel is its index + 1: a frame drawn with these says which texel a pixel got, or 0. */
 static void number_texels(struct image *texture)
 {
@@ -131,65 +47,64 @@ static void number_texels(struct image *texture)
     }
 }
 
-static void add_exact(struct trace *trace, const struct image *texture, struct image *frame)
+/* The stage draws twice: first to count the events, then to keep them. */
+static bool record(struct trace *trace, const struct image *texture)
 {
-    struct exact_triangle exact;
-
-    if (!exact_setup(&exact, trace->given)) {
-        return; /* no area: it draws nothing */
-    }
-    exact_draw_triangle(frame, texture, trace->given);
-    for (size_t i = 0; i < trace->row_count; i++) {
-        const struct trace_row *row = &trace->rows[i];
-        for (size_t k = 0; k < row->pixel_count; k++) {
-            struct trace_pixel *pixel = &trace->pixels[row->first_pixel + k];
-            const int x = (int)pixel->x;
-            const uint32_t texel = frame->pixels[row->y * frame->stride + x];
-            if (texel > 0) {
-                const struct exact_point at = exact_at(&exact, x, row->y);
-                pixel->exact_z = at.z;
-                pixel->exact_u = at.u;
-                pixel->exact_v = at.v;
-                pixel->exact_texel_u = (texel - 1) % (uint32_t)texture->width;
-                pixel->exact_texel_v = (texel - 1) / (uint32_t)texture->width;
+    for (int pass = 0; pass < 2; pass++) {
+        trace_recorder = (struct trace_recorder){trace->events, trace->event_count, 0, NULL};
+        for (int i = 0; i < trace->piece_count; i++) {
+            traced[trace->number](&trace->frame, texture, trace->clipped[i]);
+        }
+        trace->event_count = trace_recorder.count;
+        if (pass == 0) {
+            trace->events = malloc((size_t)(trace->event_count + 1) * sizeof *trace->events);
+            if (!trace->events) {
+                return false;
             }
         }
     }
+    for (int i = 0; i < trace->piece_count; i++) {
+        exact_draw_triangle(&trace->exact_frame, texture, trace->clipped[i]);
+    }
+    return true;
 }
 
-/* Both frames are all 0 before. */
-static bool draw(struct trace *trace, const struct image *texture, struct image *frame,
-                 struct image *exact_frame)
+static bool clip(struct trace *trace, const struct triangle *triangle, int width, int height)
 {
-    recorder.trace = trace;
-    recorder.frame = frame;
-    recorder.full = false;
-    traced[traced_index(trace->stage)](frame, texture, trace->given);
-    if (!recorder.full) {
-        add_exact(trace, texture, exact_frame);
+    struct triangle given = *triangle;
+    const struct triangle_list list = {&given, 1, 1};
+    const struct view view = {width, height, 0, 0};
+    struct triangle_list pieces = {0};
+
+    if (!clip_screen_triangles(&list, &view, &pieces)) {
+        triangle_list_destroy(&pieces);
+        return false;
     }
-    return !recorder.full;
+    memcpy(trace->given, triangle->v, sizeof trace->given);
+    for (; (size_t)trace->piece_count < pieces.count; trace->piece_count++) {
+        memcpy(trace->clipped[trace->piece_count], pieces.items[trace->piece_count].v,
+               sizeof trace->clipped[0]);
+    }
+    triangle_list_destroy(&pieces);
+    return true;
 }
 
 bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
                     const struct image *texture, int width, int height, struct trace *trace)
 {
-    struct image frame = {0}, exact_frame = {0}, numbers = {0};
+    struct image numbers = {0};
 
     assert(traced_index(stage) >= 0);
-    *trace = (struct trace){.stage = stage};
-    for (int i = 0; i < 3; i++) {
-        trace->given[i] = triangle->v[i];
-        trace->rounded[i] = exact_round(&triangle->v[i], stage->grid);
-    }
-    bool done = image_create(&frame, width, height) && image_create(&exact_frame, width, height) &&
+    *trace = (struct trace){.stage = stage, .number = traced_index(stage), .row = TRACE_ALL_ROWS,
+                            .texture = {texture->width, texture->height, texture->width, NULL}};
+    bool done = clip(trace, triangle, width, height) &&
+                image_create(&trace->frame, width, height) &&
+                image_create(&trace->exact_frame, width, height) &&
                 image_create(&numbers, texture->width, texture->height);
     if (done) {
         number_texels(&numbers);
-        done = draw(trace, &numbers, &frame, &exact_frame);
+        done = record(trace, &numbers);
     }
-    image_destroy(&frame);
-    image_destroy(&exact_frame);
     image_destroy(&numbers);
     if (!done) {
         trace_destroy(trace);
@@ -197,22 +112,89 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
     return done;
 }
 
-bool trace_keep_row(struct trace *trace, int y)
+bool trace_keep_row(struct trace *trace, int y, int *first, int *last)
 {
-    for (size_t i = 0; i < trace->row_count; i++) {
-        if (trace->rows[i].y == y) {
-            trace->rows[0] = trace->rows[i];
-            trace->row_count = 1;
+    *first = trace->frame.height;
+    *last = -1;
+    for (int i = 0; i < trace->event_count; i++) {
+        if (trace->events[i].kind == TRACE_KIND_SPAN) {
+            const int row = (int)trace->events[i].values[0];
+            *first = row < *first ? row : *first;
+            *last = row > *last ? row : *last;
+        }
+    }
+    if (y >= *first && y <= *last) {
+        trace->row = y;
+    }
+    return trace->row == y;
+}
+
+int trace_x(const struct trace *trace, const struct trace_event *pixel)
+{
+    return (int)(((const uint32_t *)pixel->address - trace->frame.pixels) % trace->frame.width);
+}
+
+/* Is texel the one that the exact coordinate c lies in, or, on its border, the other one? That must
+ * be one of lo .. hi, those that the triangle's vertices reach. */
+static bool is_right(double c, double a, double b, double d, int size, int texel, int exact)
+{
+    const double lo = floor(fmin(a, fmin(b, d)) + 0.5), hi = ceil(fmax(a, fmax(b, d)) - 0.5);
+    const double border = round(c + 0.5); /* between texels border - 1 and border */
+
+    if (texel == exact) {
+        return true;
+    }
+    if (fabs(c + 0.5 - border) > BORDER) {
+        return false;
+    }
+    for (double either = border - 1; either <= border; either++) {
+        if (either >= lo && either <= hi && ((int)either & (size - 1)) == texel) {
             return true;
         }
     }
     return false;
 }
 
+/* The piece that covers the pixel, for the vertices as they are; -1: none. */
+static int piece_at(const struct trace *trace, int x, int y, struct exact_triangle *piece)
+{
+    for (int i = 0; i < trace->piece_count; i++) {
+        int first, end;
+        if (exact_setup(piece, trace->clipped[i])) {
+            exact_row(piece, y, trace->frame.width, &first, &end);
+            if (x >= first && x < end) {
+                return i;
+            }
+        }
+    }
+    return -1;
+}
+
+bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int y,
+                 struct trace_exact *exact)
+{
+    const int x = trace_x(trace, pixel), width = trace->texture.width;
+    const size_t at = (size_t)y * (size_t)trace->frame.stride + (size_t)x;
+    struct exact_triangle piece;
+
+    const int i = piece_at(trace, x, y, &piece);
+    if (i < 0) {
+        return false;
+    }
+    const struct vertex *v = trace->clipped[i];
+    const struct exact_point point = exact_at(&piece, x, y);
+    const int right = (int)trace->exact_frame.pixels[at] - 1, got = (int)trace->frame.pixels[at] - 1;
+    *exact = (struct trace_exact){point.z, point.u, point.v, right % width, right / width, false};
+    exact->right = is_right(point.u, v[0].u, v[1].u, v[2].u, width, got % width, right % width) &&
+                   is_right(point.v, v[0].v, v[1].v, v[2].v, trace->texture.height, got / width,
+                            right / width);
+    return true;
+}
+
 void trace_destroy(struct trace *trace)
 {
-    free(trace->rows);
-    free(trace->pixels);
-    free(trace->segments);
+    image_destroy(&trace->frame);
+    image_destroy(&trace->exact_frame);
+    free(trace->events);
     *trace = (struct trace){0};
 }

@@ -1,66 +1,103 @@
-/* A trace as JSON, as CSV and as a table: all three from one list of each record's fields. */
+/* A trace as JSON, as CSV and as a table: all three from the list of events. */
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 #include "tests/trace/trace.h"
 
-struct field {
-    const char *name, *label; /* in files; in the table */
-    size_t offset;
-    int width, decimals; /* of a pixel's column in the table; width 0: not there */
-};
+/* What a pixel has beside the stage's values. */
+#define EXACT_NAMES "exact_z exact_u exact_v exact_texel_u exact_texel_v"
+#define EXACT_VALUES 5
 
-struct record {
-    const char *name;
-    const struct field *fields; /* up to a name of NULL */
-};
+static const char *const records[TRACE_KINDS] = {"gradients", "edge",    "edge",
+                                                 "span",      "segment", "pixel"};
 
-#define EDGE(name, label) {#name, label, offsetof(struct trace_edge, name), 0, 0}
-#define SPAN(name, label) {#name, label, offsetof(struct trace_span, name), 0, 0}
-#define SEGMENT(name, label) {#name, label, offsetof(struct trace_segment, name), 0, 0}
-#define PIXEL(name, label, width, decimals)                                                       \
-    {#name, label, offsetof(struct trace_pixel, name), width, decimals}
-#define END {NULL, NULL, 0, 0, 0}
-
-static const struct field edge_fields[] = {
-    EDGE(x, "x"), EDGE(x_step, "step"), EDGE(error, "error"), EDGE(numerator, "numerator"),
-    EDGE(denominator, "denominator"), EDGE(one_over_z, "1/z"), EDGE(u_over_z, "u/z"),
-    EDGE(v_over_z, "v/z"), END};
-
-static const struct field span_fields[] = {
-    SPAN(x, "x"), SPAN(count, "pixels"), SPAN(one_over_z, "1/z"), SPAN(u_over_z, "u/z"),
-    SPAN(v_over_z, "v/z"), SPAN(one_over_z_dx, "d(1/z)/dx"), SPAN(u_over_z_dx, "d(u/z)/dx"),
-    SPAN(v_over_z_dx, "d(v/z)/dx"), END};
-
-static const struct field segment_fields[] = {
-    SEGMENT(x, "x"), SEGMENT(count, "pixels"), SEGMENT(length, "length"), SEGMENT(u, "u"),
-    SEGMENT(v, "v"), SEGMENT(u_end, "u_end"), SEGMENT(v_end, "v_end"), SEGMENT(u_16_16, "U"),
-    SEGMENT(v_16_16, "V"), SEGMENT(u_step_16_16, "U_step"), SEGMENT(v_step_16_16, "V_step"), END};
-
-static const struct field pixel_fields[] = {
-    PIXEL(x, "x", 5, 0), PIXEL(one_over_z, "1/z", 10, 6), PIXEL(u_over_z, "u/z", 11, 5),
-    PIXEL(v_over_z, "v/z", 11, 5), PIXEL(z, "z", 10, 4), PIXEL(u, "u", 11, 4),
-    PIXEL(v, "v", 11, 4), PIXEL(u_16_16, "U", 11, 0), PIXEL(v_16_16, "V", 11, 0),
-    PIXEL(texel_u, "texel u", 9, 0), PIXEL(texel_v, "v", 5, 0), PIXEL(exact_z, "", 0, 0),
-    PIXEL(exact_u, "exact u", 11, 4), PIXEL(exact_v, "exact v", 11, 4),
-    PIXEL(exact_texel_u, "texel u", 9, 0), PIXEL(exact_texel_v, "v", 5, 0), END};
-
-static const struct record left = {"left", edge_fields}, right = {"right", edge_fields},
-                           span = {"span", span_fields}, segment = {"segment", segment_fields},
-                           pixel = {"pixel", pixel_fields};
-
-/* All fields' names, once each. */
-static const char *const columns[] = {
-    "x", "count", "length", "x_step", "error", "numerator", "denominator", "one_over_z",
-    "u_over_z", "v_over_z", "one_over_z_dx", "u_over_z_dx", "v_over_z_dx", "z", "u", "v", "u_end",
-    "v_end", "u_16_16", "v_16_16", "u_step_16_16", "v_step_16_16", "texel_u", "texel_v", "exact_z",
-    "exact_u", "exact_v", "exact_texel_u", "exact_texel_v"};
-
-#define COLUMN_COUNT (sizeof columns / sizeof columns[0])
-
-static double value_of(const struct field *field, const void *values)
+/* The next of names with a space between, from *at on; 0: there is none. Its length. */
+static size_t next_name(const char **at)
 {
-    return *(const double *)((const char *)values + field->offset);
+    *at += strspn(*at, " ");
+    return strcspn(*at, " ");
+}
+
+/* Where a name stands among names; -1: nowhere. */
+static int index_of(const char *names, const char *name, size_t length)
+{
+    int i = 0;
+
+    for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
+        if (n == length && strncmp(names, name, n) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* Calls each() for every name that a kind, or with TRACE_KINDS all of them, have in any stage. */
+static void each_name(int kind, void (*each)(void *context, const char *name, size_t length),
+                      void *context)
+{
+    const char *earlier[TRACE_STAGES * TRACE_KINDS];
+    int count = 0;
+
+    for (int i = 0; i < TRACE_STAGES * TRACE_KINDS; i++) {
+        const char *names = trace_names[i / TRACE_KINDS][i % TRACE_KINDS];
+        if (kind != TRACE_KINDS && kind != i % TRACE_KINDS) {
+            continue;
+        }
+        earlier[count] = names;
+        for (size_t n; (n = next_name(&names)) > 0; names += n) {
+            int k = 0;
+            while (k < count && index_of(earlier[k], names, n) < 0) {
+                k++;
+            }
+            if (k == count) {
+                each(context, names, n);
+            }
+        }
+        count++;
+    }
+}
+
+/* An event, and what is written of it. */
+struct written {
+    FILE *file;
+    const struct trace *trace;
+    const struct trace_event *event; /* NULL: the names themselves */
+};
+
+/* The event's value of that name; NAN where it has none. */
+static double value_of(const struct written *w, const char *name, size_t length)
+{
+    const int i = index_of(trace_names[w->trace->number][w->event->kind], name, length);
+    return i < 0 ? NAN : w->event->values[i];
+}
+
+/* The span that the events of one scanline begin with, and where they end. */
+struct row {
+    int y;
+    const struct trace_event *span, *end; /* segments and pixels are between */
+    const struct trace_event *edges[2];   /* left, right: as they were last seen */
+};
+
+/* Goes on to the next row that is to be written. At first all of it is 0. */
+static bool next_row(const struct trace *trace, struct row *row, const struct trace_event *seen[2])
+{
+    const struct trace_event *end = trace->events + trace->event_count;
+    const struct trace_event *event = row->end ? row->end : trace->events;
+
+    for (; event < end; event++) {
+        if (event->kind == TRACE_KIND_EDGE || event->kind == TRACE_KIND_EDGE_STEP) {
+            seen[(int)event->values[0]] = event;
+        }
+        const int y = (int)event->values[0];
+        if (event->kind == TRACE_KIND_SPAN && (trace->row == TRACE_ALL_ROWS || trace->row == y)) {
+            const int left = (int)event->values[1];
+            *row = (struct row){y, event, event + 1, {seen[left], seen[!left]}};
+            while (row->end < end && row->end->kind >= TRACE_KIND_SEGMENT) {
+                row->end++;
+            }
+            return true;
+        }
+    }
+    return false;
 }
 
 /* As many digits as give the same number back: nine where a float is read as a float again; 17 for
@@ -71,78 +108,173 @@ static void write_number(FILE *file, double value)
     fprintf(file, "%.*g", is_float ? 9 : 17, value);
 }
 
-static void json_record(FILE *file, const struct record *record, const void *values)
+/* The exact answer's values in the order of EXACT_NAMES; NAN where it does not draw the pixel. */
+static bool exact_values(const struct trace *trace, const struct trace_event *pixel, int y,
+                         double values[EXACT_VALUES])
 {
-    const char *separator = "{";
+    struct trace_exact exact = {NAN, NAN, NAN, 0, 0, false};
+    const bool drawn = trace_exact(trace, pixel, y, &exact);
 
-    for (const struct field *field = record->fields; field->name; field++, separator = ",") {
-        const double value = value_of(field, values);
-        fprintf(file, "%s\"%s\":", separator, field->name);
-        if (isnan(value)) {
-            fputs("null", file);
-        } else {
-            write_number(file, value);
-        }
+    values[0] = exact.z;
+    values[1] = exact.u;
+    values[2] = exact.v;
+    values[3] = drawn ? exact.texel_u : NAN;
+    values[4] = drawn ? exact.texel_v : NAN;
+    return exact.right;
+}
+
+static void json_value(FILE *file, const char *name, size_t length, double value)
+{
+    fprintf(file, ",\"%.*s\":", (int)length, name);
+    if (isnan(value)) {
+        fputs("null", file);
+    } else {
+        write_number(file, value);
+    }
+}
+
+static void json_named(void *context, const char *name, size_t length)
+{
+    const struct written *w = context;
+    json_value(w->file, name, length, value_of(w, name, length));
+}
+
+/* Every name that a kind has in any stage, so that the page finds each. */
+static void json_event(FILE *file, const struct trace *trace, const struct trace_event *event)
+{
+    struct written w = {file, trace, event};
+
+    fprintf(file, "\"line\":%d", event->line);
+    each_name(event->kind, json_named, &w);
+}
+
+static void json_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel, int y)
+{
+    double values[EXACT_VALUES];
+    const char *names = EXACT_NAMES;
+    const bool right = exact_values(trace, pixel, y, values);
+
+    fprintf(file, "{\"x\":%d,\"right\":%d,", trace_x(trace, pixel), right);
+    json_event(file, trace, pixel);
+    for (int i = 0; i < EXACT_VALUES; i++) {
+        const size_t n = next_name(&names);
+        json_value(file, names, n, values[i]);
+        names += n;
     }
     fputs("}", file);
 }
 
-static void json_vertices(FILE *file, const char *name, const struct vertex v[3])
+static int count_kind(const struct row *row, int kind)
 {
-    fprintf(file, ",\"%s\":", name);
-    for (int i = 0; i < 3; i++) {
-        fprintf(file, "%s{\"x\":%.9g,\"y\":%.9g,\"z\":%.9g,\"u\":%.9g,\"v\":%.9g}",
-                i == 0 ? "[" : ",", (double)v[i].x, (double)v[i].y, (double)v[i].z,
-                (double)v[i].u, (double)v[i].v);
+    int count = 0;
+
+    for (const struct trace_event *event = row->span + 1; event < row->end; event++) {
+        count += event->kind == kind;
     }
-    fputs("]", file);
+    return count;
 }
 
-static void json_row(FILE *file, const struct trace *trace, const struct trace_row *row)
+static void json_row(FILE *file, const struct trace *trace, const struct row *row)
 {
-    fprintf(file, "{\"y\":%d,\"left\":", row->y);
-    json_record(file, &left, &row->left);
-    fputs(",\"right\":", file);
-    json_record(file, &right, &row->right);
-    fputs(",\"span\":", file);
-    json_record(file, &span, &row->span);
-    fputs(",\"segments\":[", file);
-    for (size_t i = 0; i < row->segment_count; i++) {
-        fputs(i == 0 ? "" : ",\n", file);
-        json_record(file, &segment, &trace->segments[row->first_segment + i]);
+    const char *separator = "";
+
+    fprintf(file, "{\"y\":%d,\"left\":{", row->y);
+    json_event(file, trace, row->edges[0]);
+    fputs("},\"right\":{", file);
+    json_event(file, trace, row->edges[1]);
+    fprintf(file, "},\"span\":{\"count\":%d,", count_kind(row, TRACE_KIND_PIXEL));
+    for (const struct trace_event *event = row->span + 1; event < row->end; event++) {
+        if (event->kind == TRACE_KIND_PIXEL) {
+            fprintf(file, "\"x\":%d,", trace_x(trace, event));
+            break;
+        }
+    }
+    json_event(file, trace, row->span);
+    fputs("},\"segments\":[", file);
+    for (const struct trace_event *event = row->span + 1; event < row->end; event++) {
+        if (event->kind == TRACE_KIND_SEGMENT) {
+            fprintf(file, "%s{\"x\":%d,", separator, trace_x(trace, event));
+            json_event(file, trace, event);
+            fputs("}", file);
+            separator = ",\n";
+        }
     }
     fputs("],\n\"pixels\":[", file);
-    for (size_t i = 0; i < row->pixel_count; i++) {
-        fputs(i == 0 ? "" : ",\n", file);
-        json_record(file, &pixel, &trace->pixels[row->first_pixel + i]);
+    separator = "";
+    for (const struct trace_event *event = row->span + 1; event < row->end; event++) {
+        if (event->kind == TRACE_KIND_PIXEL) {
+            fputs(separator, file);
+            json_pixel(file, trace, event, row->y);
+            separator = ",\n";
+        }
     }
     fputs("]}", file);
 }
 
+static void json_vertices(FILE *file, const char *name, const struct vertex *v, int count)
+{
+    fprintf(file, ",\"%s\":[", name);
+    for (int i = 0; i < count; i++) {
+        fprintf(file, "%s{\"x\":%.9g,\"y\":%.9g,\"z\":%.9g,\"u\":%.9g,\"v\":%.9g}",
+                i == 0 ? "" : ",", (double)v[i].x, (double)v[i].y, (double)v[i].z, (double)v[i].u,
+                (double)v[i].v);
+    }
+    fputs("]", file);
+}
+
 void trace_write_json(FILE *file, const struct trace *trace)
 {
+    struct vertex rounded[TRACE_PIECES][3];
+    const struct trace_event *seen[2] = {NULL, NULL};
+    struct row row = {0};
+    const char *separator = "";
+
+    for (int i = 0; i < 3 * trace->piece_count; i++) {
+        rounded[i / 3][i % 3] = exact_round(&trace->clipped[i / 3][i % 3], trace->stage->grid);
+    }
     fprintf(file, "{\"stage\":\"%s\"", trace->stage->name);
-    json_vertices(file, "given", trace->given);
-    json_vertices(file, "rounded", trace->rounded);
+    json_vertices(file, "given", trace->given, 3);
+    json_vertices(file, "clipped", trace->clipped[0], 3 * trace->piece_count);
+    json_vertices(file, "rounded", rounded[0], 3 * trace->piece_count);
     fputs(",\n\"rows\":[", file);
-    for (size_t i = 0; i < trace->row_count; i++) {
-        fputs(i == 0 ? "" : ",\n", file);
-        json_row(file, trace, &trace->rows[i]);
+    while (next_row(trace, &row, seen)) {
+        fputs(separator, file);
+        json_row(file, trace, &row);
+        separator = ",\n";
     }
     fputs("]}\n", file);
 }
 
-static void csv_record(FILE *file, int y, const struct record *record, const void *values)
+static void csv_named(void *context, const char *name, size_t length)
 {
-    fprintf(file, "%s,%d", record->name, y);
-    for (size_t i = 0; i < COLUMN_COUNT; i++) {
-        const struct field *field = record->fields;
-        while (field->name && strcmp(field->name, columns[i]) != 0) {
-            field++;
-        }
+    const struct written *w = context;
+
+    fputs(",", w->file);
+    if (!w->event) {
+        fprintf(w->file, "%.*s", (int)length, name);
+    } else if (!isnan(value_of(w, name, length))) {
+        write_number(w->file, value_of(w, name, length));
+    }
+}
+
+static void csv_event(FILE *file, const struct trace *trace, const struct row *row,
+                      const char *record, const struct trace_event *event)
+{
+    struct written w = {file, trace, event};
+    double values[EXACT_VALUES] = {NAN, NAN, NAN, NAN, NAN};
+
+    fprintf(file, "%s,%d,%d,", record, event->line, row->y);
+    if (event->address) {
+        fprintf(file, "%d", trace_x(trace, event));
+    }
+    if (event->kind == TRACE_KIND_PIXEL) {
+        exact_values(trace, event, row->y, values);
+    }
+    each_name(TRACE_KINDS, csv_named, &w);
+    for (int i = 0; i < EXACT_VALUES; i++) {
         fputs(",", file);
-        if (field->name && !isnan(value_of(field, values))) {
-            write_number(file, value_of(field, values));
+        if (!isnan(values[i])) {
+            write_number(file, values[i]);
         }
     }
     fputs("\n", file);
@@ -150,89 +282,157 @@ static void csv_record(FILE *file, int y, const struct record *record, const voi
 
 void trace_write_csv(FILE *file, const struct trace *trace)
 {
-    fprintf(file, "# %s\nrecord,y", trace->stage->name);
-    for (size_t i = 0; i < COLUMN_COUNT; i++) {
-        fprintf(file, ",%s", columns[i]);
-    }
-    fputs("\n", file);
-    for (const struct trace_row *row = trace->rows; row < trace->rows + trace->row_count; row++) {
-        csv_record(file, row->y, &left, &row->left);
-        csv_record(file, row->y, &right, &row->right);
-        csv_record(file, row->y, &span, &row->span);
-        for (size_t i = 0; i < row->segment_count; i++) {
-            csv_record(file, row->y, &segment, &trace->segments[row->first_segment + i]);
-        }
-        for (size_t i = 0; i < row->pixel_count; i++) {
-            csv_record(file, row->y, &pixel, &trace->pixels[row->first_pixel + i]);
+    const struct trace_event *seen[2] = {NULL, NULL};
+    struct written names = {file, trace, NULL};
+    struct row row = {0};
+
+    fprintf(file, "# %s\nrecord,line,row,x", trace->stage->name);
+    each_name(TRACE_KINDS, csv_named, &names);
+    fputs(",exact_z,exact_u,exact_v,exact_texel_u,exact_texel_v\n", file);
+    while (next_row(trace, &row, seen)) {
+        csv_event(file, trace, &row, "left", row.edges[0]);
+        csv_event(file, trace, &row, "right", row.edges[1]);
+        for (const struct trace_event *event = row.span; event < row.end; event++) {
+            csv_event(file, trace, &row, records[event->kind], event);
         }
     }
 }
 
-/* A name and a value for each field that the stage has. */
-static void print_record(FILE *file, const struct record *record, const void *values)
+/* What the table calls some of the names; the others stay as they are. */
+static void print_name(FILE *file, int width, const char *name, size_t length)
 {
-    fprintf(file, "  %-7s", record->name);
-    for (const struct field *field = record->fields; field->name; field++) {
-        const double value = value_of(field, values);
-        if (!isnan(value)) {
-            fprintf(file, "  %s %.10g", field->label, value);
+    static const char *const labels[] = {
+        "one_over_z 1/z", "u_over_z u/z", "v_over_z v/z", "one_over_z_dx d(1/z)/dx",
+        "u_over_z_dx d(u/z)/dx", "v_over_z_dx d(v/z)/dx", "x_step step", "u_16_16 U", "v_16_16 V",
+        "u_step_16_16 U_step", "v_step_16_16 V_step", "texel_u texel u", "texel_v v"};
+
+    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++) {
+        if (strncmp(labels[i], name, length) == 0 && labels[i][length] == ' ') {
+            fprintf(file, "%*s", width, labels[i] + length + 1);
+            return;
         }
     }
+    fprintf(file, "%*.*s", width, (int)length, name);
+}
+
+/* A name and a value for each that the stage has; but not which edge, or which row. */
+static void print_event(FILE *file, const struct trace *trace, const char *record,
+                        const struct trace_event *event)
+{
+    const char *names = trace_names[trace->number][event->kind];
+    const bool numbered = event->kind != TRACE_KIND_SEGMENT;
+
+    fprintf(file, "  %-7s  line %d", record, event->line);
+    if (event->address) {
+        fprintf(file, "  x %d", trace_x(trace, event));
+    }
+    for (int i = 0; next_name(&names) > 0; i++) {
+        const size_t n = next_name(&names);
+        if (!(numbered && (i == 0 || (event->kind == TRACE_KIND_SPAN && i == 1)))) {
+            fputs("  ", file);
+            print_name(file, 0, names, n);
+            fprintf(file, " %.10g", event->values[i]);
+        }
+        names += n;
+    }
     fputs("\n", file);
+}
+
+/* Digits behind the point, by the name's end: a texel and 16.16 are whole numbers. */
+static int decimals(const char *name, size_t length)
+{
+    return strncmp(name, "texel", 5) == 0 || strncmp(name + length - 2, "16", 2) == 0 ? 0
+           : length > 6 ? 6 : 4;
 }
 
 /* A pixel's columns are those of the stage; what the exact answer lacks there is left blank. */
-static bool has_column(const struct trace *trace, const struct field *field)
+static void print_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel,
+                        int y)
 {
-    return field->width > 0 && (!isnan(value_of(field, &trace->pixels[0])) ||
-                                field->offset >= offsetof(struct trace_pixel, exact_z));
-}
+    const char *names = trace_names[trace->number][TRACE_KIND_PIXEL];
+    double exact[EXACT_VALUES];
+    const bool right = exact_values(trace, pixel, y, exact);
 
-static void print_pixel(FILE *file, const struct trace *trace, const struct trace_pixel *values)
-{
-    for (const struct field *field = pixel_fields; field->name; field++) {
-        const double value = value_of(field, values);
-        if (has_column(trace, field) && isnan(value)) {
-            fprintf(file, "%*s", field->width, "-");
-        } else if (has_column(trace, field)) {
-            fprintf(file, "%*.*f", field->width, field->decimals, value);
+    fprintf(file, "%5d", trace_x(trace, pixel));
+    for (int i = 0; next_name(&names) > 0; i++) {
+        const size_t n = next_name(&names);
+        fprintf(file, "%*.*f", n == 7 ? 9 : 12, decimals(names, n), pixel->values[i]);
+        names += n;
+    }
+    for (int i = 1; i < EXACT_VALUES; i++) {
+        if (isnan(exact[i])) {
+            fprintf(file, "%*s", i < 3 ? 12 : 9, "-");
+        } else {
+            fprintf(file, "%*.*f", i < 3 ? 12 : 9, i < 3 ? 4 : 0, exact[i]);
         }
     }
-    fputs(values->texel_u == values->exact_texel_u && values->texel_v == values->exact_texel_v
-              ? "\n" : " *\n", file);
+    fputs(right ? "\n" : " *\n", file);
 }
 
-static void print_row(FILE *file, const struct trace *trace, const struct trace_row *row)
+static void print_row(FILE *file, const struct trace *trace, const struct row *row)
 {
+    bool headed = false;
+
     fprintf(file, "\nrow %d\n", row->y);
-    print_record(file, &left, &row->left);
-    print_record(file, &right, &row->right);
-    print_record(file, &span, &row->span);
-    for (size_t i = 0; i < row->segment_count; i++) {
-        print_record(file, &segment, &trace->segments[row->first_segment + i]);
-    }
-    for (const struct field *field = pixel_fields; row->pixel_count && field->name; field++) {
-        if (has_column(trace, field)) {
-            fprintf(file, "%*s", field->width, field->label);
+    print_event(file, trace, "left", row->edges[0]);
+    print_event(file, trace, "right", row->edges[1]);
+    for (const struct trace_event *event = row->span; event < row->end; event++) {
+        if (event->kind != TRACE_KIND_PIXEL) {
+            print_event(file, trace, records[event->kind], event);
         }
     }
-    fputs(row->pixel_count ? "\n" : "", file);
-    for (size_t i = 0; i < row->pixel_count; i++) {
-        print_pixel(file, trace, &trace->pixels[row->first_pixel + i]);
+    for (const struct trace_event *event = row->span; event < row->end; event++) {
+        if (event->kind == TRACE_KIND_PIXEL && !headed) {
+            const char *names = trace_names[trace->number][TRACE_KIND_PIXEL];
+            fprintf(file, "%5s", "x");
+            for (size_t n; (n = next_name(&names)) > 0; names += n) {
+                print_name(file, n == 7 ? 9 : 12, names, n);
+            }
+            fprintf(file, "%12s%12s%9s%9s   line %d\n", "exact u", "exact v", "texel u", "v",
+                    event->line);
+            headed = true;
+        }
+        if (event->kind == TRACE_KIND_PIXEL) {
+            print_pixel(file, trace, event, row->y);
+        }
+    }
+}
+
+static void print_vertices(FILE *file, const char *name, const struct vertex v[3], int grid)
+{
+    for (int i = 0; i < 3; i++) {
+        const struct vertex vertex = exact_round(&v[i], grid);
+        fprintf(file, "%-9s%14.9g%14.9g%12.6g%12.6g%12.6g\n", name, (double)vertex.x,
+                (double)vertex.y, (double)vertex.z, (double)vertex.u, (double)vertex.v);
     }
 }
 
 void trace_write_table(FILE *file, const struct trace *trace)
 {
+    const struct trace_event *seen[2] = {NULL, NULL};
+    struct row row = {0};
+    const bool cut = trace->piece_count != 1 ||
+                     memcmp(trace->given, trace->clipped[0], sizeof trace->given) != 0;
+
     fprintf(file, "%-9s%14s%14s%12s%12s%12s\n", "vertex", "x", "y", "z", "u", "v");
-    for (int i = 0; i < (trace->stage->grid ? 6 : 3); i++) {
-        const struct vertex *v = i < 3 ? &trace->given[i] : &trace->rounded[i - 3];
-        fprintf(file, "%-9s%14.9g%14.9g%12.6g%12.6g%12.6g\n", i < 3 ? "given" : "rounded",
-                (double)v->x, (double)v->y, (double)v->z, (double)v->u, (double)v->v);
+    print_vertices(file, "given", trace->given, 0);
+    for (int i = 0; i < trace->piece_count; i++) {
+        if (cut) {
+            print_vertices(file, "clipped", trace->clipped[i], 0);
+        }
+        if (trace->stage->grid) {
+            print_vertices(file, "rounded", trace->clipped[i], trace->stage->grid);
+        }
     }
-    fputs(trace->row_count ? "\n* is not the exact answer's texel, for the vertices as given.\n"
-                           : "\nIt draws nothing: no area, or between two scanlines.\n", file);
-    for (size_t i = 0; i < trace->row_count; i++) {
-        print_row(file, trace, &trace->rows[i]);
+    if (trace->piece_count == 0) {
+        fputs("\nIt draws nothing: none of it is in the frame.\n", file);
+    } else if (trace->event_count == 0) {
+        fputs("\nIt draws nothing: no area, or between two scanlines.\n", file);
+    } else {
+        fputs("\n* is not the exact answer's texel, nor on its border, for the vertices as "
+              "clipped.\n", file);
+    }
+    while (next_row(trace, &row, seen)) {
+        print_row(file, trace, &row);
     }
 }

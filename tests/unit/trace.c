@@ -46,158 +46,170 @@ static int shown(const struct image *frame, int x, int y)
     return pixel == 0 ? -1 : (int)(pixel >> 8 & 0xFFFF);
 }
 
-/* The same, of a trace's two numbers; NAN stands for nothing. */
-static int traced(double u, double v)
-{
-    return isnan(u) || isnan(v) ? -1 : (int)u << 8 | (int)v;
-}
-
 /* Does the exact coordinate lie in its texel, the border included? Here nothing repeats. */
 static bool is_inside(double exact, double texel)
 {
     return fabs(exact - texel) <= 0.5 + 1e-9;
 }
 
-/* Pixels that the frame and the trace disagree on, or that the trace has twice. */
-static int pixels_wrong(const struct trace *trace, const struct image *frame,
-                        const struct image *exact_frame)
+/* The value of that name: each stage has its own order. */
+static double value(const struct trace *trace, const struct trace_event *event, const char *name)
 {
-    bool seen[HEIGHT][WIDTH] = {{false}};
-    int wrong = 0;
+    const char *names = trace_names[trace->number][event->kind];
 
-    for (size_t i = 0; i < trace->row_count; i++) {
-        const struct trace_row *row = &trace->rows[i];
-        for (size_t k = 0; k < row->pixel_count; k++) {
-            const struct trace_pixel *pixel = &trace->pixels[row->first_pixel + k];
-            const int x = (int)pixel->x, exact = traced(pixel->exact_texel_u, pixel->exact_texel_v);
-            wrong += seen[row->y][x] || x != (int)row->span.x + (int)k ||
-                     traced(pixel->texel_u, pixel->texel_v) != shown(frame, x, row->y) ||
-                     exact != shown(exact_frame, x, row->y);
-            wrong += exact < 0 ? !isnan(pixel->exact_u)
-                               : !is_inside(pixel->exact_u, pixel->exact_texel_u) ||
-                                     !is_inside(pixel->exact_v, pixel->exact_texel_v);
-            seen[row->y][x] = true;
+    for (int i = 0; *names; i++) {
+        const size_t length = strcspn(names, " ");
+        if (length == strlen(name) && strncmp(names, name, length) == 0) {
+            return event->values[i];
         }
+        names += length + strspn(names + length, " ");
     }
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        wrong += seen[i / WIDTH][i % WIDTH] != (shown(frame, i % WIDTH, i / WIDTH) >= 0);
+    return NAN;
+}
+
+/* What is wrong with one pixel: its texel is that of the frame, the exact one that of the exact
+ * frame; and it is right where they are the same, as none of these lies on a border. */
+static int pixel_wrong(const struct trace *trace, const struct trace_event *pixel, int y,
+                       const struct image *frame, const struct image *exact_frame)
+{
+    const int x = trace_x(trace, pixel);
+    const int texel = (int)value(trace, pixel, "texel_u") << 8 | (int)value(trace, pixel, "texel_v");
+    struct trace_exact exact;
+
+    if (!trace_exact(trace, pixel, y, &exact)) {
+        return shown(exact_frame, x, y) >= 0 || texel != shown(frame, x, y);
     }
-    return wrong;
+    const int exact_texel = exact.texel_u << 8 | exact.texel_v;
+    return texel != shown(frame, x, y) || exact_texel != shown(exact_frame, x, y) ||
+           !is_inside(exact.u, exact.texel_u) || !is_inside(exact.v, exact.texel_v) ||
+           (texel == exact_texel && !exact.right);
 }
 
 static int64_t ceil_div(int64_t n, int64_t d) { return n / d + (n % d > 0); }
 
 /* Is this edge where the line between two vertices, in sixteenths of a pixel, crosses row y? There
  * x = N / D, and the pixel from there on is ceil(N / D). */
-static bool edge_right(const struct trace_edge *edge, const struct vertex *a,
-                       const struct vertex *b, int y)
+static bool edge_right(const struct trace *trace, const struct trace_event *edge,
+                       const struct vertex *a, const struct vertex *b, int y)
 {
     const int64_t x0 = (int64_t)(16 * a->x), y0 = (int64_t)(16 * a->y);
     const int64_t dx = (int64_t)(16 * b->x) - x0, dy = (int64_t)(16 * b->y) - y0;
     const int64_t n = x0 * dy + (16 * y - y0) * dx, d = 16 * dy, x = ceil_div(n, d);
+    const double error = value(trace, edge, "error"), edge_x = value(trace, edge, "x");
 
-    if (isnan(edge->error)) { /* stage 1: its vertices are not rounded */
+    if (isnan(error)) { /* stage 1: its vertices are not rounded */
         const double step = ((double)b->x - a->x) / ((double)b->y - a->y);
-        return fabs(edge->x - (a->x + (y - a->y) * step)) < POSITION_TOLERANCE;
+        return fabs(edge_x - (a->x + (y - a->y) * step)) < POSITION_TOLERANCE;
     }
-    const double scale = edge->denominator / (double)d; /* stage 2 counts in whole pixels */
-    return edge->x == (double)x && edge->error >= 0 && edge->error < edge->denominator &&
-           fabs(edge->error + 1 - scale * (double)(n + d - x * d)) < 1e-6;
+    const double denominator = value(trace, edge, "denominator");
+    const double scale = denominator / (double)d; /* stage 2 counts in whole pixels */
+    return edge_x == (double)x && error >= 0 && error < denominator &&
+           fabs(error + 1 - scale * (double)(n + d - x * d)) < 1e-6;
 }
 
-/* Rows whose edges are not the two that cross them, or that do not follow on each other. */
-static int rows_wrong(const struct trace *trace)
+/* Are the two edges those that cross row y? */
+static bool edges_right(const struct trace *trace, const struct trace_event *const edges[2], int y)
 {
-    int wrong = 0;
+    int crossings = 0, found = 0;
 
-    for (size_t i = 0; i < trace->row_count; i++) {
-        const struct trace_row *row = &trace->rows[i];
-        int crossings = 0, found = 0;
-        for (int k = 0; k < 3; k++) {
-            const struct vertex *a = &trace->rounded[k], *b = &trace->rounded[(k + 1) % 3];
-            const struct vertex *top = a->y < b->y ? a : b, *bottom = a->y < b->y ? b : a;
-            if (ceil(top->y) <= row->y && row->y < ceil(bottom->y)) {
-                crossings++;
-                found += edge_right(&row->left, top, bottom, row->y) ||
-                         edge_right(&row->right, top, bottom, row->y);
-            }
+    for (int k = 0; k < 3; k++) {
+        const struct vertex a = exact_round(&trace->given[k], trace->stage->grid);
+        const struct vertex b = exact_round(&trace->given[(k + 1) % 3], trace->stage->grid);
+        const struct vertex *top = a.y < b.y ? &a : &b, *bottom = a.y < b.y ? &b : &a;
+        if (ceil(top->y) <= y && y < ceil(bottom->y)) {
+            crossings++;
+            found += edge_right(trace, edges[0], top, bottom, y) ||
+                     edge_right(trace, edges[1], top, bottom, y);
         }
-        const double count = fmax(ceil(row->right.x) - ceil(row->left.x), 0);
-        wrong += crossings != 2 || found != 2 || row->span.count != (double)row->pixel_count ||
-                 row->span.count != count || (i > 0 && row->y != row[-1].y + 1);
     }
-    return wrong;
+    return crossings == 2 && found == 2;
 }
 
 /* u at pixel p of a span: (u/z) / (1/z). */
-static double u_at(const struct trace_span *span, double p)
+static double u_at(const struct trace *trace, const struct trace_event *span, double p)
 {
-    return (span->u_over_z + p * span->u_over_z_dx) / (span->one_over_z + p * span->one_over_z_dx);
+    return (value(trace, span, "u_over_z") + p * value(trace, span, "u_over_z_dx")) /
+           (value(trace, span, "one_over_z") + p * value(trace, span, "one_over_z_dx"));
 }
 
-/* Pixels of a segment that are not on its line. */
-static int line_wrong(const struct trace_segment *s, const struct trace_pixel *pixels)
+/* Does the segment that begins at pixel p of a span of n end where it must, with the true u at both
+ * ends? That is min(p + 16, n - 1); one of a single pixel ends a pixel further, for its direction. */
+static bool segment_right(const struct trace *trace, const struct trace_event *span,
+                          const struct trace_event *segment, int p, int n)
 {
-    int wrong = 0;
+    const double end = p == n - 1 ? p + 1 : fmin(p + SEGMENT_LENGTH, n - 1);
 
-    for (int p = 0; p < (int)s->count; p++) {
-        const double share = s->length > 0 ? p / s->length : 0;
-        wrong += pixels[p].x != s->x + p || pixels[p].u_16_16 != s->u_16_16 + p * s->u_step_16_16 ||
-                 pixels[p].v_16_16 != s->v_16_16 + p * s->v_step_16_16 ||
-                 fabs(pixels[p].u - s->u - share * (s->u_end - s->u)) > TEXEL_TOLERANCE ||
-                 fabs(pixels[p].v - s->v - share * (s->v_end - s->v)) > TEXEL_TOLERANCE;
+    return value(trace, segment, "length") == end - p &&
+           value(trace, segment, "count") == fmin(SEGMENT_LENGTH, n - p) &&
+           fabs(value(trace, segment, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE &&
+           (p == n - 1 ||
+            fabs(value(trace, segment, "u_end") - u_at(trace, span, end)) < TEXEL_TOLERANCE);
+}
+
+/* Is pixel p of a span where its divide, or its segment's line, puts it? */
+static bool place_right(const struct trace *trace, const struct trace_event *span,
+                        const struct trace_event *segment, const struct trace_event *pixel, int p)
+{
+    if (!segment) {
+        return fabs(value(trace, pixel, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE;
     }
-    return wrong;
+    const int k = trace_x(trace, pixel) - trace_x(trace, segment);
+    return k >= 0 && k < SEGMENT_LENGTH &&
+           value(trace, pixel, "u_16_16") ==
+               value(trace, segment, "u_16_16") + k * value(trace, segment, "u_step_16_16") &&
+           value(trace, pixel, "v_16_16") ==
+               value(trace, segment, "v_16_16") + k * value(trace, segment, "v_step_16_16");
 }
 
-/* Segments that do not end at p = min(16 (k + 1), n - 1), n being the span's pixels, or have other
- * ends than the true u there; and pixels that are not on their line. 17 pixels are two segments:
- * the second has one pixel, and length 0. */
-static int segments_wrong(const struct trace *trace)
-{
-    int wrong = 0;
+struct wrong {
+    int pixels, rows, places;
+};
 
-    for (size_t i = 0; i < trace->row_count; i++) {
-        const struct trace_row *row = &trace->rows[i];
-        const double n = row->span.count;
-        wrong += (double)row->segment_count != floor((n - 1) / SEGMENT_LENGTH) + 1;
-        for (size_t k = 0; k < row->segment_count; k++) {
-            const struct trace_segment *s = &trace->segments[row->first_segment + k];
-            const size_t first = SEGMENT_LENGTH * k;
-            const double start = (double)first, end = fmin(start + SEGMENT_LENGTH, n - 1);
-            wrong += s->x != row->span.x + start || s->length != end - start ||
-                     s->count != s->length + (k + 1 == row->segment_count) ||
-                     fabs(s->u - u_at(&row->span, start)) > TEXEL_TOLERANCE ||
-                     fabs(s->u_end - u_at(&row->span, end)) > TEXEL_TOLERANCE;
-            wrong += line_wrong(s, &trace->pixels[row->first_pixel + first]);
+/* One row: its span, and what follows. Every pixel that the frame has there, once, from left to
+ * right, is in the trace. The events of the row. */
+static int row_wrong(const struct trace *trace, const struct trace_event *span,
+                     const struct trace_event *const edges[2], const struct image *frame,
+                     const struct image *exact_frame, struct wrong *wrong)
+{
+    const struct trace_event *end = trace->events + trace->event_count, *segment = NULL;
+    const int y = (int)value(trace, span, "y");
+    const int first = (int)ceil(value(trace, edges[0], "x"));
+    const int n = (int)fmax(ceil(value(trace, edges[1], "x")) - first, 0);
+    const struct trace_event *event = span + 1;
+    int p = 0;
+
+    for (; event < end && event->kind >= TRACE_KIND_SEGMENT; event++) {
+        if (event->kind == TRACE_KIND_SEGMENT) {
+            wrong->places += !segment_right(trace, span, event, p, n);
+            segment = event;
+        } else {
+            wrong->places += !place_right(trace, span, segment, event, p);
+            wrong->pixels += trace_x(trace, event) != first + p ||
+                             pixel_wrong(trace, event, y, frame, exact_frame);
+            p++;
         }
     }
-    return wrong;
+    for (int x = 0; x < WIDTH; x++) {
+        wrong->pixels += (shown(frame, x, y) >= 0) != (x >= first && x < first + n);
+    }
+    wrong->rows += p != n || !edges_right(trace, edges, y);
+    return (int)(event - span);
 }
 
-/* Is the texel cut from the 16.16 coordinate, and that the coordinate and the half that rounds?
- * Stages 1 and 2 have none. */
-static bool is_cut(double c, double c_16_16, double texel)
+static struct wrong trace_wrong(const struct trace *trace, const struct image *frame,
+                                const struct image *exact_frame)
 {
-    return isnan(c_16_16) ||
-           (((int)floor(c_16_16 / 65536) & (TEXTURE_SIDE - 1)) == (int)texel &&
-            fabs(c_16_16 / 65536 - c - 0.5) < TEXEL_TOLERANCE);
-}
+    const struct trace_event *seen[2] = {NULL, NULL};
+    struct wrong wrong = {0, 0, 0};
 
-/* Stages 1 to 3: pixels whose z, u and v are not those of their linear quantities. */
-static int divides_wrong(const struct trace *trace)
-{
-    int wrong = 0;
-
-    for (size_t i = 0; i < trace->row_count; i++) {
-        const struct trace_row *row = &trace->rows[i];
-        for (size_t k = 0; k < row->pixel_count; k++) {
-            const struct trace_pixel *pixel = &trace->pixels[row->first_pixel + k];
-            wrong += !(fabs(pixel->u - u_at(&row->span, (double)k)) < TEXEL_TOLERANCE &&
-                       fabs(pixel->u - pixel->u_over_z * pixel->z) < TEXEL_TOLERANCE &&
-                       fabs(pixel->v - pixel->v_over_z * pixel->z) < TEXEL_TOLERANCE &&
-                       is_cut(pixel->u, pixel->u_16_16, pixel->texel_u) &&
-                       is_cut(pixel->v, pixel->v_16_16, pixel->texel_v));
+    for (int i = 0; i < trace->event_count; i++) {
+        const struct trace_event *event = &trace->events[i];
+        if (event->kind == TRACE_KIND_EDGE || event->kind == TRACE_KIND_EDGE_STEP) {
+            seen[(int)value(trace, event, "short")] = event;
+        } else if (event->kind == TRACE_KIND_SPAN) {
+            const int left = (int)value(trace, event, "left_short");
+            const struct trace_event *const edges[2] = {seen[left], seen[!left]};
+            i += row_wrong(trace, event, edges, frame, exact_frame, &wrong) - 1;
         }
     }
     return wrong;
@@ -216,14 +228,13 @@ static void test_one(const struct stage *stage, const struct triangle *triangle,
     }
     stage->draw(&frame, texture, triangle->v);
     exact_draw_triangle(&exact_frame, texture, triangle->v);
-    const int pixels = pixels_wrong(&trace, &frame, &exact_frame), rows = rows_wrong(&trace);
-    const int inside = stage->segment_length > 1 ? segments_wrong(&trace) : divides_wrong(&trace);
-    check(pixels == 0, "the traced pixels and texels are the frame's, and the exact frame's",
-          "%s, triangle %d: %d pixels differ", stage->name, number, pixels);
-    check(rows == 0, "each row's edges are where the rounded vertices demand",
-          "%s, triangle %d: %d rows are not", stage->name, number, rows);
-    check(inside == 0, "divides and segments are those of the span's start values",
-          "%s, triangle %d: %d are not", stage->name, number, inside);
+    const struct wrong wrong = trace_wrong(&trace, &frame, &exact_frame);
+    check(wrong.pixels == 0, "the traced pixels and texels are the frame's, and the exact frame's",
+          "%s, triangle %d: %d pixels differ", stage->name, number, wrong.pixels);
+    check(wrong.rows == 0, "each row's edges are where the rounded vertices demand",
+          "%s, triangle %d: %d rows are not", stage->name, number, wrong.rows);
+    check(wrong.places == 0, "divides and segments are those of the span's start values",
+          "%s, triangle %d: %d are not", stage->name, number, wrong.places);
     trace_destroy(&trace);
     image_destroy(&frame);
     image_destroy(&exact_frame);

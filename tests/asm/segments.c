@@ -1,0 +1,255 @@
+/* stage5_draw_segments against its twin in C: segments of every length, at every alignment, with
+ * every texture, in memory with guard pages, by a caller that looks at what came back. The
+ * structures are stage 5's own: its source is included, and the triangle's function has to have
+ * another name than the one in the program. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "tests/asm/asm.h"
+#include "tests/asm/call_checked.h"
+#include "tests/unit/gates.h"
+
+#ifdef TEXMAP_STAGE5
+
+#define stage5_draw_triangle asm_segments_draw_triangle
+#include "stage5_asm/rasterize.c"
+
+#define WIDTH 40    /* of the frame; a segment starts anywhere in a cache line of 16 pixels */
+#define CANARIES 8  /* pixels at least from one row's end to the next's start */
+#define SIDES 13    /* of a texture: 1, 2, 4 .. 4096 */
+#define SETTINGS (SIDES * SIDES)
+#define DEPTH_RATIO_LOG2 16 /* from DEPTH_MIN to DEPTH_MAX */
+#define GUARD_CALLS 40
+#define CONVENTION_CALLS 4000
+
+/* A call's arguments, and the frames: a segment lies in each row. */
+struct job {
+    struct segment *room, *segments; /* room for a whole queue; the last ends at a guard page */
+    int count;
+    struct texels *texels;
+    struct gradients *g;
+    struct image own, twin, texture;
+    struct guarded memory[6];
+    char changed[ASM_NAME]; /* what call_checked() found */
+};
+
+static void job_create(struct job *job, struct random *random, int number, bool at_end)
+{
+    const int width = 1 << number % SIDES, height = 1 << number / SIDES;
+    const int stride = WIDTH + CANARIES + random_int(random, 0, 15);
+
+    job->texture = guarded_image(&job->memory[0], width, height, width, at_end);
+    job->own = guarded_image(&job->memory[1], WIDTH, QUEUE_LENGTH, stride, at_end);
+    job->twin = guarded_image(&job->memory[2], WIDTH, QUEUE_LENGTH, stride, at_end);
+    job->room = guarded_block(&job->memory[3], QUEUE_LENGTH * sizeof *job->room, true);
+    job->texels = guarded_block(&job->memory[4], sizeof *job->texels, true);
+    job->g = guarded_block(&job->memory[5], sizeof *job->g, true);
+    texture_fill(&job->texture, random_bits(random));
+    *job->texels = texels_setup(&job->texture);
+}
+
+static void job_destroy(struct job *job)
+{
+    for (int i = 0; i < 6; i++) {
+        guarded_destroy(&job->memory[i]);
+    }
+}
+
+/* A texture's u, say, at three places: over all that is allowed, inside the texture, in a few
+ * texels, or constant. */
+static void texels_of(struct random *random, struct vertex v[3], int size)
+{
+    const double any = random_real(random, -TEXEL_MAX, TEXEL_MAX - 1);
+    const double place = random_int(random, 0, 1) ? any : floor(any) + 0.5; /* a border */
+
+    switch (random_int(random, 0, 5)) {
+    case 0: gate_texels(random, v, -TEXEL_MAX, TEXEL_MAX); break;
+    case 1: gate_texels(random, v, place, place); break;
+    case 2: gate_texels(random, v, place, place + random_real(random, 0, 1)); break;
+    default: gate_texels(random, v, -0.5, size - 0.5); break;
+    }
+}
+
+/* The interpolants at three places; how they change; and what u and v stay within. Where the places
+ * are far from each other, little changes in a segment; where near, much does, and 1/z, u and v run
+ * into their limits. */
+static void next_plane(struct job *job, struct random *random, struct interpolants f[3])
+{
+    const double reach = ldexp(SEGMENT_LENGTH, random_int(random, -4, 6));
+    struct gradients *g = job->g;
+    struct vertex v[3], other[3];
+
+    gate_depths(random, v, random_int(random, 0, DEPTH_RATIO_LOG2));
+    texels_of(random, v, job->texture.width);
+    texels_of(random, other, job->texture.height);
+    for (int i = 0; i < 3; i++) {
+        const double one_over_z = 1.0 / v[i].z;
+        f[i] = (struct interpolants){one_over_z, one_over_z * v[i].u, one_over_z * other[i].v};
+    }
+    memset(g, 0xA5, sizeof *g); /* what the routine must not depend on */
+    g->dx = scale(1 / reach, add(f[1], scale(-1, f[0])));
+    g->one_over_z_min = 1 / max(v[0].z, max(v[1].z, v[2].z));
+    g->u = range_setup(v[0].u, v[1].u, v[2].u, job->texture.width);
+    g->v = range_setup(other[0].v, other[1].v, other[2].v, job->texture.height);
+}
+
+/* `width`: the frame's, of which a segment is at the left or right border if it fills not all. */
+static void next_segments(struct job *job, struct random *random, const struct image *frame,
+                          bool at_border)
+{
+    struct interpolants f[3];
+    const int most = frame->width < SEGMENT_LENGTH ? frame->width : SEGMENT_LENGTH;
+
+    next_plane(job, random, f);
+    job->count = random_int(random, 1, QUEUE_LENGTH);
+    job->segments = job->room + QUEUE_LENGTH - job->count;
+    for (int i = 0; i < job->count; i++) {
+        const bool whole = most == SEGMENT_LENGTH && random_int(random, 0, 1);
+        const int count = whole ? SEGMENT_LENGTH : random_int(random, 1, most);
+        const int room = frame->width - count;
+        const int x = at_border ? room * random_int(random, 0, 1) : random_int(random, 0, room);
+        const double share = random_real(random, 0, 1);
+        job->segments[i] = (struct segment){
+            add(scale(1 - share, f[random_int(random, 0, 2)]), scale(share, f[2])),
+            whole ? SEGMENT_LENGTH : count > 1 ? count - 1 : 1,
+            frame->pixels + (size_t)i * (size_t)frame->stride + x, count};
+    }
+}
+
+static void call(void *context)
+{
+    struct job *job = context;
+    const uint64_t arguments[CALL_ARGUMENTS] = {
+        (uintptr_t)job->segments, (unsigned)job->count | 0xABCDEF0000000000u,
+        (uintptr_t)job->texels, (uintptr_t)job->g};
+
+    call_checked((void (*)(void))stage5_draw_segments, arguments, job->changed,
+                 sizeof job->changed);
+}
+
+/* What it takes to make the call again. */
+static bool failed(const struct job *job, const char *what, int i, char text[ASM_TEXT])
+{
+    const struct gradients *g = job->g;
+    const struct segment *s = &job->segments[i];
+
+    snprintf(text, ASM_TEXT,
+             "%s\n     texture %dx%d; segment %d of %d: %d pixels, length %g, at %p\n"
+             "     1/z, u/z, v/z %.17g %.17g %.17g, d/dx %.17g %.17g %.17g\n"
+             "     1/z from %.9g, u %.9g to %.9g, v %.9g to %.9g",
+             what, job->texture.width, job->texture.height, i, job->count, s->count, s->length,
+             (void *)s->pixels, s->at.one_over_z, s->at.u_over_z, s->at.v_over_z,
+             g->dx.one_over_z, g->dx.u_over_z, g->dx.v_over_z, (double)g->one_over_z_min,
+             (double)g->u.low, (double)g->u.high, (double)g->v.low, (double)g->v.high);
+    return false;
+}
+
+/* Draws with the assembly. False where it touched a guard page: `text` tells the case. */
+static bool inside(struct job *job, char text[ASM_TEXT])
+{
+    const void *address;
+    char what[ASM_NAME];
+
+    if (guarded_call(call, job, &address)) {
+        return true;
+    }
+    snprintf(what, sizeof what, "touches %p", address);
+    return failed(job, what, 0, text);
+}
+
+/* Draws both ways. Frames and canaries must be the same: both were before. */
+static bool same(struct job *job, char text[ASM_TEXT])
+{
+    const struct image *own = &job->own, *twin = &job->twin;
+    const size_t pixels = (size_t)own->stride * (QUEUE_LENGTH - 1) + WIDTH;
+    char what[ASM_NAME];
+
+    for (int i = 0; i < job->count; i++) {
+        const struct segment *s = &job->segments[i];
+        const double at[3] = {s->at.one_over_z, s->at.u_over_z, s->at.v_over_z};
+        asm_twin_segment(twin->pixels + (s->pixels - own->pixels), s->count, at, (int)s->length,
+                         job->texels, job->g);
+    }
+    if (!inside(job, text)) {
+        return false;
+    }
+    if (memcmp(own->pixels, twin->pixels, pixels * sizeof *own->pixels) == 0) {
+        return true;
+    }
+    size_t i = 0;
+    while (own->pixels[i] == twin->pixels[i]) {
+        i++;
+    }
+    const int row = (int)(i / (size_t)own->stride);
+    snprintf(what, sizeof what, "column %d of row %d, a frame %d wide: expected %08X, got %08X",
+             (int)(i % (size_t)own->stride), row, WIDTH, (unsigned)twin->pixels[i],
+             (unsigned)own->pixels[i]);
+    return failed(job, what, row < job->count ? row : 0, text);
+}
+
+bool asm_segments(long segments, char text[ASM_TEXT])
+{
+    struct random random = random_start(501);
+    long drawn = 0;
+    bool hold = true;
+
+    for (int number = 0; hold && number < SETTINGS; number++) {
+        const long target = (long)((double)segments * (number + 1) / SETTINGS);
+        struct job job;
+        job_create(&job, &random, number, number % 2);
+        while (hold && drawn < target) {
+            next_segments(&job, &random, &job.own, random_int(&random, 0, 1));
+            hold = same(&job, text);
+            drawn += job.count;
+        }
+        job_destroy(&job);
+    }
+    return hold;
+}
+
+/* A frame of every width to a segment and a half, with a guard page beside each row. */
+bool asm_guards(long segments, char text[ASM_TEXT])
+{
+    struct random random = random_start(502);
+    bool hold = true;
+
+    (void)segments;
+    for (int i = 0; hold && i < 2 * (SEGMENT_LENGTH + SEGMENT_LENGTH / 2); i++) {
+        struct guarded memory;
+        struct job job;
+        const struct image rows = guarded_rows(&memory, 1 + i / 2, QUEUE_LENGTH, i % 2);
+        job_create(&job, &random, random_int(&random, 0, SETTINGS - 1), i % 2);
+        for (int k = 0; hold && k < GUARD_CALLS; k++) {
+            next_segments(&job, &random, &rows, true);
+            hold = inside(&job, text);
+        }
+        job_destroy(&job);
+        guarded_destroy(&memory);
+    }
+    return hold;
+}
+
+bool asm_convention(long segments, char text[ASM_TEXT])
+{
+    struct random random = random_start(503);
+    struct job job;
+
+    (void)segments;
+    job_create(&job, &random, SETTINGS / 2, true);
+    job.changed[0] = '\0';
+    for (int i = 0; i < CONVENTION_CALLS && job.changed[0] == '\0'; i++) {
+        char ignored[ASM_TEXT]; /* where it touches a guard page it does not come back */
+        next_segments(&job, &random, &job.own, false);
+        inside(&job, ignored);
+    }
+    if (job.changed[0] != '\0') {
+        char what[2 * ASM_NAME];
+        snprintf(what, sizeof what, "not as they were: %s", job.changed);
+        failed(&job, what, 0, text);
+    }
+    const bool kept = job.changed[0] == '\0';
+    job_destroy(&job);
+    return kept;
+}
+
+#endif
