@@ -7,8 +7,12 @@
 
 /* GROUP(its name, a function that is part of it), in the order in which they are run. */
 #define TEST_GROUPS \
+    GROUP(files, test_readers) \
+    GROUP(files, test_png) \
+    GROUP(files, test_textures) \
     GROUP(files, test_files) \
     GROUP(clip, test_clip) \
+    GROUP(clip, test_scenes) \
     GROUP(raster, test_raster) \
     GROUP(raster, test_raster_mesh) \
     GROUP(raster, test_raster_random) \
