@@ -42,7 +42,7 @@ define newline
 
 endef
 
-.PHONY: all test bench chart lesson exercise report golden readme pictures stability debug clean \
+.PHONY: all test bench chart compare lesson exercise report golden readme pictures stability debug clean \
 	help test-page test-exercises test-long test-matrix test-contract test-aarch64 test-valgrind \
 	sanitize torture fuzz FORCE
 .SECONDEXPANSION:
@@ -58,6 +58,10 @@ test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake $(BUILD)/memory
 #: make lesson N=2    what changed from stage 1 to stage 2: source, picture, accuracy and speed
 lesson: $(BUILD)/texmap
 	@sh tests/lessons/lesson.sh $(BUILD) '$(N)'
+
+#: make compare N=3 [WITH=REV]   a changed stage against the last commit's: pixels, accuracy, speed
+compare: $(BUILD)/texmap.a
+	@sh tests/bench/compare.sh $(BUILD) '$(or $(WITH),HEAD)' . '$(N)'
 
 #: make exercise N=3 E=1   an exercise of a lesson: your copy, built and judged
 exercise: $(EXERCISES) $(LIBRARIES)

@@ -198,11 +198,16 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void sum_up(struct bench_row *row, int rounds)
+double bench_quantile(const double values[], int count, double share)
 {
-    qsort(row->ns, (size_t)rounds, sizeof *row->ns, compare);
-    row->ns_min = row->ns[0];
-    row->ns_median = (row->ns[(rounds - 1) / 2] + row->ns[rounds / 2]) / 2;
+    double sorted[BENCH_ROUNDS_MAX];
+    const double at = share * (count - 1);
+    const int below = (int)at;
+
+    memcpy(sorted, values, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, compare);
+    return below + 1 < count ? sorted[below] + (at - below) * (sorted[below + 1] - sorted[below])
+                             : sorted[count - 1];
 }
 
 void bench_time(struct bench *bench, double deadline)
@@ -220,8 +225,10 @@ void bench_time(struct bench *bench, double deadline)
     }
     progress(NULL, 0);
     for (int i = 0; i < row_total(bench); i++) {
-        if (!bench->rows[i].wrong) {
-            sum_up(&bench->rows[i], bench->rounds);
+        struct bench_row *row = &bench->rows[i];
+        if (!row->wrong) {
+            row->ns_min = bench_quantile(row->ns, bench->rounds, 0);
+            row->ns_median = bench_quantile(row->ns, bench->rounds, 0.5);
         }
     }
 }

@@ -58,6 +58,10 @@ bool bench_judge(struct bench *bench, double deadline, struct error *error);
  * warms up. A round that the deadline cuts does not count. */
 void bench_time(struct bench *bench, double deadline);
 
+/* The value below which that share of 1 to BENCH_ROUNDS_MAX values lies: 0 the least, 0.5 the
+ * median, linear between two values. */
+double bench_quantile(const double values[], int count, double share);
+
 /* Did every row pass its gate? */
 bool bench_all_right(const struct bench *bench);
 

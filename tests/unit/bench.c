@@ -192,4 +192,5 @@ void test_bench(void)
     test_table();
     test_refused();
     cli_close();
+    check_script("sh tests/bench/compare_test.sh \"$TEXMAP_BUILD\"");
 }
