@@ -7,30 +7,22 @@
 #include "tests/files/file.h"
 #include "tests/stability/stability.h"
 
-/* A stage's colour and mark: stages 1 to 4 have their own, stage 5 that of 4, the coda the fifth. */
-static int style_of(const struct stage *stage)
-{
-    const int number = stage->digit ? stage->digit[0] - '1' : 4;
-
-    return stage->digit && number > 3 ? 3 : number;
-}
-
-static struct series *series_add(struct curve *curve, const char *name, int style, bool line,
-                                 bool marks)
+static struct series *series_add(struct curve *curve, const char *name, int style, bool bound)
 {
     struct series *series = &curve->series[curve->count++];
 
-    *series = (struct series){.name = name, .style = style, .line = line, .marks = marks};
+    *series = (struct series){.name = name, .style = style, .bound = bound};
     return series;
 }
 
-/* One series a stage. */
-static struct stability_stages series_of_stages(struct curve *curve, bool marks)
+/* One series a stage; a stage that draws another's frames is drawn like that one. */
+static struct stability_stages series_of_stages(struct curve *curve)
 {
     const struct stability_stages chosen = stability_stages();
 
     for (int i = 0; i < chosen.count; i++) {
-        series_add(curve, chosen.items[i]->name, style_of(chosen.items[i]), true, marks);
+        const struct stage *stage = chosen.items[i];
+        series_add(curve, stage->name, stage->digit && i > 3 ? 3 : i > 3 ? 4 : i, false);
     }
     return chosen;
 }
@@ -48,8 +40,7 @@ static bool measure_triangle(const struct vertex v[3], int width, int height,
         triangle.v[k].y = round_to_grid(triangle.v[k].y);
     }
     const bool done =
-        (triangle_list_add(&source.given, &triangle) ||
-         error_set(error, "curves: no memory")) &&
+        (triangle_list_add(&source.given, &triangle) || error_set(error, "curves: no memory")) &&
         source_clip(&source, 0, 0, error) &&
         measure_source(measure_find("position_max"), &source, chosen, values, error);
     source_close(&source);
@@ -72,42 +63,42 @@ static bool measure_point(struct curve *curve, double x, const struct vertex v[3
     return true;
 }
 
-#define DRIFT_STEP 256         /* pixels from point to point */
-#define DRIFT_TEXELS 0.2499573 /* a pixel: no float is a multiple of it */
+#define DRIFT_UNIT 0x1p-14 /* texel: the distance of floats from 512 to 1024 */
 
-/* Flat, so that no straight segment has anything to lose. In float u is rounded to a multiple of
- * 2^-23 of the power of two at or below it, by half of that at most, at each addition:
- * from 0 to W pixels at most the sum over the powers of two. */
+/* Flat, so that no straight line has anything to lose, and u from 512 on. The step lies .45 of a
+ * unit below a multiple of it: each addition rounds up by that, half a unit being the most there
+ * is, and after x of them u is .45 x units too large. */
+#define DRIFT_STEP ((2041 - 0.45) * DRIFT_UNIT) /* a pixel; odd: u visits all parts of a texel */
+
 static bool measure_drift(struct curve *curve, struct error *error)
 {
-    const struct stability_stages chosen = series_of_stages(curve, true);
-    struct series *bound = series_add(curve, "bound", 5, true, false);
-    double most = 0;
+    const struct stability_stages chosen = series_of_stages(curve);
+    struct series *bound = series_add(curve, "bound", 5, true);
     bool done = true;
 
-    for (int x = 1; done && x < FRAME_SIDE_MAX; x++) {
-        most += ldexp(1, ilogb(x * DRIFT_TEXELS) - 24);
-        if ((x + 1) % DRIFT_STEP == 0) {
-            const struct vertex v[3] = {{0, 0, 1, 0, 0},
-                                        {(float)x, 0, 1, (float)(x * DRIFT_TEXELS), 0},
-                                        {0, 8, 1, 0, 8}};
-            bound->y[curve->points] = most;
-            done = measure_point(curve, x, v, FRAME_SIDE_MAX, 16, &chosen, error);
-        }
+    for (int x = 255; done && x < FRAME_SIDE_MAX; x += 256) {
+        const struct vertex v[3] = {
+            {0, 0, 1, 512, 0}, {(float)x, 0, 1, (float)(512 + x * DRIFT_STEP), 0}, {0, 8, 1, 512, 8}};
+        bound->y[curve->points] = x * DRIFT_UNIT / 2;
+        done = measure_point(curve, x, v, FRAME_SIDE_MAX, 16, &chosen, error);
     }
     return done;
 }
 
+/* Flat too. One vertex lies 15/32 pixel below a whole row, so that whole pixels move it by that
+ * much, and sixteenths by 1/32: by a part of its height, and of v, that grows as the height
+ * falls. */
 static bool measure_slivers(struct curve *curve, struct error *error)
 {
-    const struct stability_stages chosen = series_of_stages(curve, true);
+    static const float heights[] = {1 / 32.f, 3 / 32.f, 7 / 32.f,  15 / 32.f, 1 + 15 / 32.f,
+                                    2 + 15 / 32.f, 4 + 15 / 32.f, 8 + 15 / 32.f, 16 + 15 / 32.f};
+    const struct stability_stages chosen = series_of_stages(curve);
     bool done = true;
 
-    for (int log2 = 3; done && log2 >= -6; log2--) {
-        const float height = (float)ldexp(1, log2); /* 8 to 1/64 pixel */
+    for (size_t i = 0; done && i < sizeof heights / sizeof heights[0]; i++) {
         const struct vertex v[3] = {
-            {0, 2, 1, 0, 0}, {4000, 32, 1, 1024, 0}, {2000, 17 + height, 8, 0, 1024}};
-        done = measure_point(curve, height, v, FRAME_SIDE_MAX, 64, &chosen, error);
+            {0, 2, 1, 0, 0}, {4000, 32, 1, 240, 0}, {2000, 17 + heights[i], 1, 120, 32}};
+        done = measure_point(curve, heights[i], v, FRAME_SIDE_MAX, 64, &chosen, error);
     }
     return done;
 }
@@ -127,84 +118,80 @@ static struct vertex steep_vertex(double r, double du, double x, double y)
  * du (sqrt r - 1) / (sqrt r + 1). */
 static bool measure_steepness(struct curve *curve, struct error *error)
 {
-    static const struct {
-        double du;
-        const char *measured, *bound;
-    } lines[] = {{16, "16 texels", "bound 16"}, {32, "32 texels", "bound 32"},
-                 {64, "64 texels", "bound 64"}};
+    static const char *const names[][2] = {
+        {"bound_16", "16 texels"}, {"bound_32", "32 texels"}, {"bound_64", "64 texels"}};
     const struct stability_stages four = {{stage_find("4")}, 1};
     bool done = true;
 
-    for (int i = 0; i < 3; i++) {
-        struct series *bound = series_add(curve, lines[i].bound, i, true, false);
-        struct series *measured = series_add(curve, lines[i].measured, i, false, true);
+    for (int i = 0; done && i < 3; i++) {
+        const double du = 16 << i;
+        struct series *bound = series_add(curve, names[i][0], i, true);
+        struct series *measured = series_add(curve, names[i][1], i, false);
         curve->points = 0;
         for (double r = 1; done && r <= 4; r += 0.25) {
-            const double du = lines[i].du;
             const struct vertex v[3] = {steep_vertex(r, du, 0, 0),
                                         steep_vertex(r, du, SEGMENT + 1, 0),
                                         steep_vertex(r, du, 0, 8)};
-            done = measure_triangle(v, 64, 16, &four, &measured->y[curve->points], error);
             bound->y[curve->points] = du * (sqrt(r) - 1) / (sqrt(r) + 1);
+            done = measure_triangle(v, 64, 16, &four, &measured->y[curve->points], error);
             curve->x[curve->points++] = r;
         }
     }
     return done;
 }
 
-/* Of tests/cases/swim.tri: stages 1 to 3, and a perfect mapper seen through the ruler. */
+/* Of tests/cases/swim.tri. */
 static bool measure_jitter(struct curve *curve, struct error *error)
 {
     static double frames[STABILITY_STAGES + 1][JITTER_FRAMES];
+    const struct stability_stages chosen = series_of_stages(curve);
     double rms[STABILITY_STAGES + 1];
-    const struct stability_stages chosen = stability_stages();
     struct stability_case row;
     struct meter meter = {0};
 
     if (!stability_open(&row, STABILITY_FOLDER "/swim.tri", &chosen, error)) {
         return false;
     }
-    const bool done =
-        (meter_create(&meter, row.source.size.width, row.source.size.height) ||
-         error_set(error, "curves: no memory")) &&
-        jitter_measure(&meter, &row.source, chosen.items, 3, rms, frames, NULL, error);
+    const bool done = (meter_create(&meter, row.source.size.width, row.source.size.height) ||
+                       error_set(error, "curves: no memory")) &&
+                      jitter_measure(&meter, &row.source, chosen.items, chosen.count, rms, frames,
+                                     NULL, error);
     meter_destroy(&meter);
     stability_close(&row);
-    for (int i = 0; done && i < 3; i++) {
-        struct series *series =
-            series_add(curve, chosen.items[i]->name, style_of(chosen.items[i]), true, false);
-        memcpy(series->y, frames[i], sizeof frames[i]);
+    for (int i = 0; done && i < chosen.count; i++) {
+        memcpy(curve->series[i].y, frames[i], sizeof frames[i]);
     }
-    for (curve->points = 0; curve->points < JITTER_FRAMES; curve->points++) {
+    for (; done && curve->points < JITTER_FRAMES; curve->points++) {
         curve->x[curve->points] = curve->points;
     }
     return done;
 }
 
-struct curve curves[] = {
+static struct curve curves[] = {
     {.name = "drift", .title = "In float each addition rounds, and the errors add up",
      .x_name = "length of the span (pixels)", .y_name = "largest position error (texels)",
-     .x_ticks = {0, 1024, 2048, 3072, 4096}, .y_ticks = {0, .02, .04, .06, .08},
+     .x_ticks = {0, 1024, 2048, 3072, 4096}, .y_ticks = {0, .05, .1, .15},
      .measure = measure_drift},
-    {.name = "slivers", .title = "The thinner the triangle, the more a rounding moves its texture",
-     .x_name = "height (pixels) of a triangle 4000 pixels long, 1 to 8 deep",
+    {.name = "slivers", .title = "The thinner the triangle, the more a rounded vertex moves its texture",
+     .x_name = "height (pixels) of a triangle 4000 pixels long and 32 texels high",
      .y_name = "largest position error (texels)", .log = true,
-     .x_ticks = {.015625, .03125, .0625, .125, .25, .5, 1, 2, 4, 8},
-     .y_ticks = {.001, .01, .1, 1, 10, 100, 1000}, .measure = measure_slivers},
+     .x_ticks = {.03125, .0625, .125, .25, .5, 1, 2, 4, 8, 16, 32},
+     .y_ticks = {.001, .01, .1, 1, 10, 100}, .measure = measure_slivers},
     {.name = "steepness", .title = "A straight line over 16 pixels errs as its formula says, no more",
-     .x_name = "ratio of the depths at a segment's ends",
-     .y_name = "largest position error of stage 4 (texels)",
+     .x_name = "ratio of the depths at the line's ends",
+     .y_name = "largest position error (texels): marks are stage 4's, lines the bound",
      .x_ticks = {1, 1.5, 2, 2.5, 3, 3.5, 4}, .y_ticks = {0, 5, 10, 15, 20, 25},
      .measure = measure_steepness},
-    {.name = "jitter", .title = "Whole-pixel vertices jump rarely and far, sixteenths often and little",
+    {.name = "jitter", .title = "Vertices on whole pixels jump rarely and far, on sixteenths often and little",
      .x_name = "frame, each 1/64 pixel further right",
      .y_name = "change of the position error since the frame before (texels, RMS)",
-     .x_ticks = {0, 16, 32, 48, 64, 80, 96, 112, 128}, .y_ticks = {0, .2, .4, .6, .8, 1},
+     .x_ticks = {0, 16, 32, 48, 64, 80, 96, 112, 128}, .y_ticks = {0, .2, .4, .6, .8},
      .measure = measure_jitter},
-    {.name = NULL},
 };
 
-bool curve_write_csv(const char *path, const struct curve *curve, struct error *error)
+#define CURVES ((int)(sizeof curves / sizeof curves[0]))
+
+static bool write_csv(const char *path, const struct curve *curve, struct error *error)
 {
     FILE *file = file_create(path, error);
 
@@ -226,21 +213,36 @@ bool curve_write_csv(const char *path, const struct curve *curve, struct error *
     return file_finish(file, path, error);
 }
 
+static bool write_svg(const char *path, const struct curve *curve, struct error *error)
+{
+    FILE *file = file_create(path, error);
+
+    if (file) {
+        curve_draw(file, curve);
+    }
+    return file && file_finish(file, path, error);
+}
+
+const struct curve *curve_measure(const char *name, struct error *error)
+{
+    int i = 0;
+
+    while (strcmp(curves[i].name, name) != 0) {
+        i++;
+    }
+    curves[i].count = curves[i].points = 0;
+    return curves[i].measure(&curves[i], error) ? &curves[i] : NULL;
+}
+
 bool curves_write(const char *folder, struct error *error)
 {
-    char path[1024];
+    char csv[1024], svg[1024];
 
-    for (struct curve *curve = curves; curve->name; curve++) {
-        curve->count = curve->points = 0;
-        if (!curve->measure(curve, error)) {
-            return false;
-        }
-        snprintf(path, sizeof path, "%s/%s.csv", folder, curve->name);
-        if (!curve_write_csv(path, curve, error)) {
-            return false;
-        }
-        snprintf(path, sizeof path, "%s/%s.svg", folder, curve->name);
-        if (!curve_write_svg(path, curve, error)) {
+    for (int i = 0; i < CURVES; i++) {
+        const struct curve *curve = curve_measure(curves[i].name, error);
+        snprintf(csv, sizeof csv, "%s/%s.csv", folder, curves[i].name);
+        snprintf(svg, sizeof svg, "%s/%s.svg", folder, curves[i].name);
+        if (!curve || !write_csv(csv, curve, error) || !write_svg(svg, curve, error)) {
             return false;
         }
     }

@@ -1,4 +1,4 @@
-/* How the stages' numbers grow with what makes them fail. */
+/* How the stages' numbers grow with what makes them fail: each curve says one thing. */
 #ifndef TESTS_STABILITY_CURVES_H
 #define TESTS_STABILITY_CURVES_H
 
@@ -6,11 +6,12 @@
 
 #define CURVE_SERIES_MAX 8
 #define CURVE_POINTS_MAX 128
+#define CURVE_TICKS_MAX 12
 
 struct series {
-    const char *name; /* of its CSV column, and beside its line */
+    const char *name; /* of its CSV column; a part of it stands beside its line */
     int style;        /* colour and mark, as in tests/chart/svg.h */
-    bool line, marks;
+    bool bound;       /* a line without marks; the others are measured: marks, where few */
     double y[CURVE_POINTS_MAX]; /* NAN where there is no number */
 };
 
@@ -19,21 +20,21 @@ struct curve {
     const char *title;           /* what it says */
     const char *x_name, *y_name; /* with their units */
     bool log;                    /* both axes */
-    double x_ticks[12], y_ticks[12]; /* end with 0, but for the first; the first and the last are
-                                        the axis's ends */
-    bool (*measure)(struct curve *curve, struct error *error);
+    double x_ticks[CURVE_TICKS_MAX], y_ticks[CURVE_TICKS_MAX]; /* the axis's ends and between; rising,
+                                                                  then 0 */
+    bool (*measure)(struct curve *curve, struct error *error); /* fills what follows */
     int points, count; /* of x; of series */
     double x[CURVE_POINTS_MAX];
     struct series series[CURVE_SERIES_MAX];
 };
 
-extern struct curve curves[]; /* ends with name == NULL */
-
 /* Measures all curves, and writes each to folder/NAME.csv and folder/NAME.svg. */
 bool curves_write(const char *folder, struct error *error);
 
-/* Writes one that is measured. On failure no file is left behind. */
-bool curve_write_csv(const char *path, const struct curve *curve, struct error *error);
-bool curve_write_svg(const char *path, const struct curve *curve, struct error *error);
+/* Measures the one of that name; NULL, and `error` set, where it cannot. */
+const struct curve *curve_measure(const char *name, struct error *error);
+
+/* Draws one that is measured, as SVG. */
+void curve_draw(FILE *file, const struct curve *curve);
 
 #endif
