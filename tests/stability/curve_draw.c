@@ -1,65 +1,31 @@
-/* A curve as a picture. Series that are alike all along are one line with one label. */
+/* A curve as a picture. Series that look alike are one line with one label. */
 #include <math.h>
 #include <string.h>
-#include "tests/chart/svg.h"
+#include "tests/chart/plot.h"
 #include "tests/stability/curves.h"
 
-#define WIDTH 720.0 /* pixels */
-#define HEIGHT 380.0
-#define TEXT 13.0
+#define WIDTH 760.0 /* pixels */
+#define HEIGHT 385.0
+#define LEFT 60.0
+#define RIGHT 610.0
+#define TOP 60.0
+#define BOTTOM 315.0
+#define BAND 20.0
+#define TEXT 12.0
 #define LABEL_ROOM 16.0 /* from one label to the next */
 #define MARKS_MAX 32    /* points; more of them are a line alone */
+#define ALIKE 2.0 /* pixels */
 
-static const struct box plot = {70, 60, 600, 325};
-
-/* Where a value stands between the first and the last tick, 0 to 1. */
-static double along(const struct curve *curve, const double *ticks, double value)
+static struct point at(const struct panel *panel, const struct curve *curve, int number, int p)
 {
-    double low = ticks[0], high = ticks[0];
-
-    for (int i = 1; i < CURVE_TICKS_MAX && ticks[i] > 0; i++) {
-        high = ticks[i];
-    }
-    value = fmin(fmax(value, low), high);
-    return curve->log ? log(value / low) / log(high / low) : (value - low) / (high - low);
-}
-
-static struct point at(const struct curve *curve, double x, double y)
-{
-    return (struct point){plot.x0 + (plot.x1 - plot.x0) * along(curve, curve->x_ticks, x),
-                          plot.y1 + (plot.y0 - plot.y1) * along(curve, curve->y_ticks, y)};
-}
-
-static void draw_axes(FILE *file, const struct curve *curve)
-{
-    const struct text_style middle = {TEXT, "middle", "soft"}, end = {TEXT, "end", "soft"};
-    const struct text_style start = {TEXT, "start", "soft"}, title = {16, "start", "ink bold"};
-    char text[32];
-
-    for (int i = 0; i < CURVE_TICKS_MAX && (i == 0 || curve->x_ticks[i] > 0); i++) {
-        const double x = curve->x_ticks[i];
-        const struct point p = at(curve, x, curve->y_ticks[0]);
-        snprintf(text, sizeof text, curve->log && x < 1 ? "1/%g" : "%g",
-                 curve->log && x < 1 ? 1 / x : x);
-        svg_line(file, (struct point){p.x, plot.y0}, p, "grid");
-        svg_text(file, (struct point){p.x, p.y + TEXT + 5}, &middle, text);
-    }
-    for (int i = 0; i < CURVE_TICKS_MAX && (i == 0 || curve->y_ticks[i] > 0); i++) {
-        const struct point p = at(curve, curve->x_ticks[0], curve->y_ticks[i]);
-        snprintf(text, sizeof text, curve->log && i == 0 ? "to %g" : "%g", curve->y_ticks[i]);
-        svg_line(file, p, (struct point){plot.x1, p.y}, "grid");
-        svg_text(file, (struct point){p.x - 6, p.y + TEXT / 3}, &end, text);
-    }
-    svg_rect(file, plot, "frame");
-    svg_text(file, (struct point){plot.x0, 24}, &title, curve->title);
-    svg_text(file, (struct point){plot.x0, 46}, &start, curve->y_name);
-    svg_text(file, (struct point){(plot.x0 + plot.x1) / 2, HEIGHT - 14}, &middle, curve->x_name);
+    return panel_at(panel, curve->x[p], curve->series[number].y[p]);
 }
 
 /* The points from one gap to the next. Measured ones have marks where they are few; a line through
  * them would cover a bound of the same colour. */
-static void draw_series(FILE *file, const struct curve *curve, const struct series *series)
+static void draw_series(struct panel *panel, const struct curve *curve, int number)
 {
+    const struct series *series = &curve->series[number];
     const bool marks = !series->bound && curve->points <= MARKS_MAX;
     const bool line = !marks || !curve->series[0].bound;
     struct point points[CURVE_POINTS_MAX];
@@ -69,81 +35,103 @@ static void draw_series(FILE *file, const struct curve *curve, const struct seri
     snprintf(class, sizeof class, "s%d %s", series->style, series->bound ? "curve" : "path");
     for (int p = 0; p <= curve->points; p++) {
         if (p < curve->points && !isnan(series->y[p])) {
-            points[count++] = at(curve, curve->x[p], series->y[p]);
+            points[count++] = at(panel, curve, number, p);
             if (marks) {
-                svg_mark(file, points[count - 1], series->style, false, NULL);
+                panel_mark(panel, points[count - 1], series->style, false, NULL);
             }
         } else {
             if (line && count > 1) {
-                svg_polyline(file, points, count, class);
+                panel_polyline(panel, points, count, class);
             }
             count = 0;
         }
     }
 }
 
-/* The first series that looks the same: the series itself, if there is none. A bound that is met
- * looks like its series. */
-static int first_alike(const struct curve *curve, int number)
+/* The first series that looks the same: the series itself, if there is none. */
+static int first_alike(const struct panel *panel, const struct curve *curve, int number)
 {
     for (int i = 0; i < number; i++) {
-        int same = 0;
-        for (int p = 0; p < curve->points; p++) {
-            const double a = curve->series[i].y[p], b = curve->series[number].y[p];
-            const double distance = along(curve, curve->y_ticks, a) - along(curve, curve->y_ticks, b);
-            same += fabs(distance) < 0.01 && isnan(a) == isnan(b);
+        bool alike = curve->series[i].bound == curve->series[number].bound;
+        for (int p = 0; alike && p < curve->points; p++) {
+            const double a = at(panel, curve, i, p).y, b = at(panel, curve, number, p).y;
+            alike = isnan(a) ? isnan(b) : fabs(a - b) < ALIKE;
         }
-        if (same == curve->points) {
+        if (alike) {
             return i;
         }
     }
     return number;
 }
 
-static double last_y(const struct curve *curve, int number)
+/* `stage3, 4`: the series and those that look like it. */
+static void label_text(const struct panel *panel, const struct curve *curve, int number,
+                       char text[64])
 {
-    return curve->series[number].y[curve->points - 1];
-}
+    size_t used = 0;
 
-/* Right of where the series and those like it end, or above the label before it. */
-static double draw_label(FILE *file, const struct curve *curve, int number, double lowest)
-{
-    const struct series *series = &curve->series[number];
-    const double y = fmin(lowest, at(curve, 0, last_y(curve, number)).y);
-    char text[128] = "", class[16];
-
-    for (int i = number; i < curve->count; i++) {
-        if (first_alike(curve, i) == number) {
-            const size_t used = strlen(text);
-            snprintf(text + used, sizeof text - used, "%s%.*s", used ? ", " : "",
-                     (int)strcspn(curve->series[i].name, "_"), curve->series[i].name);
+    for (int i = number; i < curve->count && used < 40; i++) {
+        const char *name = curve->series[i].name;
+        if (first_alike(panel, curve, i) == number) {
+            name += used && strncmp(name, "stage", 5) == 0 ? 5 : 0;
+            used += (size_t)snprintf(text + used, 64 - used, "%s%.*s", used ? ", " : "",
+                                     (int)fmin((double)strcspn(name, "_"), 16), name);
         }
     }
-    snprintf(class, sizeof class, "s%d bold", series->style);
-    svg_text(file, (struct point){plot.x1 + 8, y + TEXT / 3},
-             &(struct text_style){TEXT, "start", class}, text);
-    return y - LABEL_ROOM;
+}
+
+/* Right of the lines' ends, from the lowest upward, none closer to the next than LABEL_ROOM. */
+static void draw_labels(const struct panel *panel, const struct curve *curve)
+{
+    const int last = curve->points - 1;
+    bool done[CURVE_SERIES_MAX] = {false};
+    double lowest = HEIGHT;
+
+    for (int round = 0; round < curve->count; round++) {
+        int next = -1;
+        for (int i = 0; i < curve->count; i++) {
+            if (!done[i] && (next < 0 || at(panel, curve, i, last).y > at(panel, curve, next, last).y)) {
+                next = i;
+            }
+        }
+        const struct series *series = &curve->series[next];
+        char text[64] = "", class[16];
+        done[next] = true;
+        if (first_alike(panel, curve, next) != next || (series->bound && strchr(series->name, '_'))) {
+            continue;
+        }
+        label_text(panel, curve, next, text);
+        snprintf(class, sizeof class, "s%d bold", series->style);
+        lowest = fmin(lowest - LABEL_ROOM, at(panel, curve, next, last).y);
+        svg_text(panel->out, (struct point){RIGHT + 8, lowest + TEXT / 3},
+                 &(struct text_style){TEXT, "start", class}, text);
+    }
 }
 
 void curve_draw(FILE *file, const struct curve *curve)
 {
-    int order[CURVE_SERIES_MAX], count = 0; /* from the lowest end upward */
-    double lowest = plot.y1;
+    static struct panel panel;
+    char below[32];
 
+    snprintf(below, sizeof below, "< %g", curve->y_low);
+    panel = (struct panel){
+        .out = file,
+        .x = {curve->log, curve->x_low, curve->x_high, LEFT, RIGHT, 0},
+        .y = {curve->log, curve->y_low, curve->y_high, BOTTOM, TOP, curve->log ? BAND : 0},
+        .band_label = curve->log ? below : NULL};
     svg_begin(file, WIDTH, HEIGHT, curve->title, curve->y_name);
-    draw_axes(file, curve);
+    svg_text(file, (struct point){LEFT, 24}, &(struct text_style){16, "start", "ink bold"},
+             curve->title);
+    svg_text(file, (struct point){LEFT, 46}, &(struct text_style){TEXT, "start", "soft"},
+             curve->y_name);
+    svg_text(file, (struct point){(LEFT + RIGHT) / 2, BOTTOM + panel.y.band + 40},
+             &(struct text_style){TEXT, "middle", "soft"}, curve->x_name);
+    panel_begin(&panel, true);
     for (int i = 0; i < curve->count; i++) {
-        if (first_alike(curve, i) == i) {
-            int place = count++;
-            for (; place > 0 && last_y(curve, order[place - 1]) > last_y(curve, i); place--) {
-                order[place] = order[place - 1];
-            }
-            order[place] = i;
-            draw_series(file, curve, &curve->series[i]);
+        if (first_alike(&panel, curve, i) == i) {
+            draw_series(&panel, curve, i);
         }
     }
-    for (int i = 0; i < count; i++) {
-        lowest = draw_label(file, curve, order[i], lowest);
-    }
+    draw_labels(&panel, curve);
     svg_end(file);
 }

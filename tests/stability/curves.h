@@ -6,7 +6,6 @@
 
 #define CURVE_SERIES_MAX 8
 #define CURVE_POINTS_MAX 128
-#define CURVE_TICKS_MAX 12
 
 struct series {
     const char *name; /* of its CSV column; a part of it stands beside its line */
@@ -20,8 +19,7 @@ struct curve {
     const char *title;           /* what it says */
     const char *x_name, *y_name; /* with their units */
     bool log;                    /* both axes */
-    double x_ticks[CURVE_TICKS_MAX], y_ticks[CURVE_TICKS_MAX]; /* the axis's ends and between; rising,
-                                                                  then 0 */
+    double x_low, x_high, y_low, y_high; /* the axes' ends */
     bool (*measure)(struct curve *curve, struct error *error); /* fills what follows */
     int points, count; /* of x; of series */
     double x[CURVE_POINTS_MAX];
