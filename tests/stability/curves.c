@@ -27,13 +27,15 @@ static struct stability_stages series_of_stages(struct curve *curve)
     return chosen;
 }
 
-/* The largest position error of one triangle in each of the stages. */
-static bool measure_triangle(const struct vertex v[3], int width, int height,
-                             const struct stability_stages *chosen,
-                             double values[STABILITY_STAGES], struct error *error)
+/* Point x of the curve: one triangle's largest position error in each of the stages, the first of
+ * which is series number `first`. */
+static bool measure_point(struct curve *curve, double x, const struct vertex v[3], int width,
+                          int height, const struct stability_stages *chosen, int first,
+                          struct error *error)
 {
     struct source source = {.name = "curve", .scene = SCENE_COUNT, .size = {width, height}};
     struct triangle triangle = {{v[0], v[1], v[2]}, TEXTURE_COORD};
+    double values[STABILITY_STAGES];
 
     for (int k = 0; k < 3; k++) {
         triangle.v[k].x = round_to_grid(triangle.v[k].x);
@@ -44,23 +46,11 @@ static bool measure_triangle(const struct vertex v[3], int width, int height,
         source_clip(&source, 0, 0, error) &&
         measure_source(measure_find("position_max"), &source, chosen, values, error);
     source_close(&source);
-    return done;
-}
-
-/* The same as point x of a curve whose series are the stages. */
-static bool measure_point(struct curve *curve, double x, const struct vertex v[3], int width,
-                          int height, const struct stability_stages *chosen, struct error *error)
-{
-    double values[STABILITY_STAGES];
-
-    if (!measure_triangle(v, width, height, chosen, values, error)) {
-        return false;
-    }
-    for (int i = 0; i < chosen->count; i++) {
-        curve->series[i].y[curve->points] = values[i];
+    for (int i = 0; done && i < chosen->count; i++) {
+        curve->series[first + i].y[curve->points] = values[i];
     }
     curve->x[curve->points++] = x;
-    return true;
+    return done;
 }
 
 #define DRIFT_UNIT 0x1p-14 /* texel: the distance of floats from 512 to 1024 */
@@ -80,7 +70,7 @@ static bool measure_drift(struct curve *curve, struct error *error)
         const struct vertex v[3] = {
             {0, 0, 1, 512, 0}, {(float)x, 0, 1, (float)(512 + x * DRIFT_STEP), 0}, {0, 8, 1, 512, 8}};
         bound->y[curve->points] = x * DRIFT_UNIT / 2;
-        done = measure_point(curve, x, v, FRAME_SIDE_MAX, 16, &chosen, error);
+        done = measure_point(curve, x, v, FRAME_SIDE_MAX, 16, &chosen, 0, error);
     }
     return done;
 }
@@ -98,7 +88,7 @@ static bool measure_slivers(struct curve *curve, struct error *error)
     for (size_t i = 0; done && i < sizeof heights / sizeof heights[0]; i++) {
         const struct vertex v[3] = {
             {0, 2, 1, 0, 0}, {4000, 32, 1, 240, 0}, {2000, 17 + heights[i], 1, 120, 32}};
-        done = measure_point(curve, heights[i], v, FRAME_SIDE_MAX, 64, &chosen, error);
+        done = measure_point(curve, heights[i], v, FRAME_SIDE_MAX, 64, &chosen, 0, error);
     }
     return done;
 }
@@ -126,15 +116,14 @@ static bool measure_steepness(struct curve *curve, struct error *error)
     for (int i = 0; done && i < 3; i++) {
         const double du = 16 << i;
         struct series *bound = series_add(curve, names[i][0], i, true);
-        struct series *measured = series_add(curve, names[i][1], i, false);
+        series_add(curve, names[i][1], i, false);
         curve->points = 0;
         for (double r = 1; done && r <= 4; r += 0.25) {
             const struct vertex v[3] = {steep_vertex(r, du, 0, 0),
                                         steep_vertex(r, du, SEGMENT + 1, 0),
                                         steep_vertex(r, du, 0, 8)};
             bound->y[curve->points] = du * (sqrt(r) - 1) / (sqrt(r) + 1);
-            done = measure_triangle(v, 64, 16, &four, &measured->y[curve->points], error);
-            curve->x[curve->points++] = r;
+            done = measure_point(curve, r, v, 64, 16, &four, 2 * i + 1, error);
         }
     }
     return done;
@@ -191,13 +180,8 @@ static struct curve curves[] = {
 
 #define CURVES ((int)(sizeof curves / sizeof curves[0]))
 
-static bool write_csv(const char *path, const struct curve *curve, struct error *error)
+static void write_csv(FILE *file, const struct curve *curve)
 {
-    FILE *file = file_create(path, error);
-
-    if (!file) {
-        return false;
-    }
     fprintf(file, "# %s. x: %s; y: %s\nx", curve->title, curve->x_name, curve->y_name);
     for (int i = 0; i < curve->count; i++) {
         fprintf(file, ",%s", curve->series[i].name);
@@ -210,17 +194,6 @@ static bool write_csv(const char *path, const struct curve *curve, struct error 
         }
     }
     fprintf(file, "\n");
-    return file_finish(file, path, error);
-}
-
-static bool write_svg(const char *path, const struct curve *curve, struct error *error)
-{
-    FILE *file = file_create(path, error);
-
-    if (file) {
-        curve_draw(file, curve);
-    }
-    return file && file_finish(file, path, error);
 }
 
 const struct curve *curve_measure(const char *name, struct error *error)
@@ -234,15 +207,26 @@ const struct curve *curve_measure(const char *name, struct error *error)
     return curves[i].measure(&curves[i], error) ? &curves[i] : NULL;
 }
 
+/* folder/NAMEend */
+static bool write_file(const char *folder, const struct curve *curve, const char *end,
+                       void (*write)(FILE *file, const struct curve *curve), struct error *error)
+{
+    char path[1024];
+
+    snprintf(path, sizeof path, "%s/%s%s", folder, curve->name, end);
+    FILE *file = file_create(path, error);
+    if (file) {
+        write(file, curve);
+    }
+    return file && file_finish(file, path, error);
+}
+
 bool curves_write(const char *folder, struct error *error)
 {
-    char csv[1024], svg[1024];
-
     for (int i = 0; i < CURVES; i++) {
         const struct curve *curve = curve_measure(curves[i].name, error);
-        snprintf(csv, sizeof csv, "%s/%s.csv", folder, curves[i].name);
-        snprintf(svg, sizeof svg, "%s/%s.svg", folder, curves[i].name);
-        if (!curve || !write_csv(csv, curve, error) || !write_svg(svg, curve, error)) {
+        if (!curve || !write_file(folder, curve, ".csv", write_csv, error) ||
+            !write_file(folder, curve, ".svg", curve_draw, error)) {
             return false;
         }
     }
