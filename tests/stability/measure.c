@@ -77,7 +77,7 @@ static bool in_own_range(uint32_t texel, float a, float b, float c)
 
 /* What was counted in one pixel. */
 struct tally {
-    uint16_t hit, due, outside;
+    uint8_t hit, due, outside; /* at most 255 triangles in a pixel */
 };
 
 static bool row_is_clear(const uint32_t *row, int width)
