@@ -1,8 +1,8 @@
 #!/bin/sh
 # tests/bench/compare.sh BUILD OLD NEW [N]: stage N (1 to 5 or coda; without it all of them) of the
 # tree NEW against that of OLD, a folder or a revision: pixels that differ, accuracy, speed.
-# `make compare N=3 WITH=REV` calls it. Both are compiled alike, as BUILD/flags says, and linked into
-# one program with bench under other names. Exit status 2: it could not be done.
+# `make compare N=3 WITH=REV` calls it. Both are compiled alike, as BUILD/flags says, and linked
+# with bench into one program, under other names. Exit status 2: it could not be done.
 
 build=$1
 old=$2

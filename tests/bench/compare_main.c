@@ -70,8 +70,8 @@ static size_t count_differing(struct bench *bench, const struct bench_row *row, 
 }
 
 /* row[0] is the old one's, row[1] the new one's. Returns the ratio of their speeds, the median over
- * the rounds; *noise where that says nothing: the median of so many rounds is off by about the
- * distance of their quartiles over the root of their number. */
+ * the rounds. *noise where that says nothing: the standard error of such a median is about the
+ * distance of the quartiles over the root of the number of rounds; three of them are taken. */
 static double print_speed(const struct bench_row *row, int rounds, bool *noise)
 {
     double ratio[BENCH_ROUNDS_MAX];
@@ -85,7 +85,7 @@ static double print_speed(const struct bench_row *row, int rounds, bool *noise)
     print_cell(7, 3, bench_ns_per_pixel(&row[0], row[0].ns_min));
     print_cell(7, 3, bench_ns_per_pixel(&row[1], row[1].ns_min));
     printf("  x%.2f (%.2f-%.2f)\n", median, low, high);
-    *noise = fabs(median - 1) < fmax(NOISE, (high - low) / sqrt(rounds));
+    *noise = fabs(median - 1) < fmax(NOISE, 3 * (high - low) / sqrt(rounds));
     return median;
 }
 
