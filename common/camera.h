@@ -27,12 +27,12 @@ struct camera camera_facing(const struct view *view);
 
 struct clip_vertex camera_project(const struct camera *camera, const struct surface_point *point);
 
-/* Clips and appends what lies between these corners, in order around it, as two triangles that share
- * the diagonal from corner 0 to 2. False when there is no memory. */
+/* Clips and appends what lies between these corners, in order around it, as two triangles that
+ * share the diagonal from corner 0 to 2. False when there is no memory. */
 bool add_corners(const struct camera *camera, const struct clip_vertex corners[4],
                  enum texture_id texture, struct triangle_list *list);
 
-/* The same for a rectangle, if its front is seen: the side from which they are in clockwise order. */
+/* The same for a rectangle, if its front is seen: from there they are in clockwise order. */
 bool add_rectangle(const struct camera *camera, const struct surface_point points[4],
                    enum texture_id texture, struct triangle_list *list);
 

@@ -144,11 +144,11 @@ bool chart_has_mark(const struct chart_row *row)
 bool chart_write(const char *path, const struct chart *chart, struct error *error)
 {
     const char *dot = strrchr(path, '.');
-    if (dot == NULL || strcmp(dot, ".svg") != 0) {
+    if (!dot || strcmp(dot, ".svg") != 0) {
         return error_set(error, "%s: a chart's name must end in .svg", path);
     }
     FILE *file = file_create(path, error);
-    if (file == NULL) {
+    if (!file) {
         return false;
     }
     chart_draw(file, chart);

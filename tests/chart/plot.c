@@ -104,7 +104,7 @@ static void draw_y_ticks(const struct panel *panel, struct box box)
 {
     struct tick ticks[TICKS_MAX];
     size_t count = axis_ticks(&panel->y, ticks);
-    double band = panel->band_label != NULL ? panel->y.from + panel->y.band / 2 : INFINITY;
+    double band = panel->band_label ? panel->y.from + panel->y.band / 2 : INFINITY;
     for (size_t i = 0; i < count; i++) {
         double y = axis_at(&panel->y, ticks[i].value);
         svg_line(panel->out, (struct point){box.x0, y}, (struct point){box.x1, y}, "grid");
@@ -113,7 +113,7 @@ static void draw_y_ticks(const struct panel *panel, struct box box)
             draw_y_label(panel, y, ticks[i].label);
         }
     }
-    if (panel->band_label != NULL) {
+    if (panel->band_label) {
         draw_y_label(panel, band, panel->band_label);
     }
 }

@@ -144,7 +144,7 @@ void svg_mark(FILE *out, struct point at, int series, bool filled, const char *t
             "<path class=\"s%d %s\" transform=\"translate(%.1f %.1f) scale(%.0f)\" d=\"%s\">",
             style, filled ? "filled" : "hollow", at.x, at.y,
             filled ? SVG_MARK_RADIUS : SVG_HOLLOW_RADIUS, shapes[style]);
-    if (tooltip != NULL) {
+    if (tooltip) {
         fputs("<title>", out);
         write_escaped(out, tooltip);
         fputs("</title>", out);

@@ -14,7 +14,7 @@ static char *next_line(char **rest)
         return NULL;
     }
     char *end = strchr(line, '\n');
-    if (end == NULL) {
+    if (!end) {
         *rest = line + strlen(line);
     } else {
         *end = '\0';
@@ -30,7 +30,7 @@ static size_t split_fields(char *line, char **fields)
     for (;;) {
         fields[count++] = line;
         char *comma = strchr(line, ',');
-        if (comma == NULL) {
+        if (!comma) {
             return count;
         }
         *comma = '\0';
@@ -42,7 +42,7 @@ static char *parse_comments(char **rest, struct csv *csv)
 {
     char *line;
     csv->header_line = 1;
-    while ((line = next_line(rest)) != NULL && line[0] == '#') {
+    while ((line = next_line(rest)) && line[0] == '#') {
         csv->comments[csv->comment_count++] = line + 1 + strspn(line + 1, " ");
         csv->header_line++;
     }
@@ -52,12 +52,12 @@ static char *parse_comments(char **rest, struct csv *csv)
 static bool parse_rows(char *rest, struct csv *csv, struct error *error)
 {
     char *line = parse_comments(&rest, csv);
-    if (line == NULL || line[0] == '\0') {
+    if (!line || line[0] == '\0') {
         return error_set(error, "%s:%d: no header line", csv->path, csv->header_line);
     }
     csv->column_count = split_fields(line, csv->columns);
     csv->fields = csv->columns + csv->column_count;
-    while ((line = next_line(&rest)) != NULL) {
+    while ((line = next_line(&rest))) {
         size_t count = split_fields(line, csv->fields + csv->row_count * csv->column_count);
         if (count != csv->column_count) {
             return error_set(error, "%s:%d: %zu fields, the header has %zu", csv->path,
@@ -82,7 +82,7 @@ bool csv_parse(const char *path, const char *text, struct csv *csv, struct error
         .columns = calloc(cells, sizeof *csv->columns),
     };
     bool ok = false;
-    if (csv->text == NULL || csv->comments == NULL || csv->columns == NULL) {
+    if (!csv->text || !csv->comments || !csv->columns) {
         error_set(error, "%s: no memory", path);
     } else {
         memcpy(csv->text, text, size + 1);
@@ -114,11 +114,11 @@ static bool read_text(FILE *file, const char *path, char *text, struct error *er
 bool csv_read(const char *path, struct csv *csv, struct error *error)
 {
     FILE *file = fopen(path, "rb");
-    if (file == NULL) {
+    if (!file) {
         return error_set(error, "%s: %s", path, strerror(errno));
     }
     char *text = malloc(CSV_SIZE_MAX + 2);
-    bool ok = text != NULL ? read_text(file, path, text, error)
+    bool ok = text ? read_text(file, path, text, error)
                            : error_set(error, "%s: no memory", path);
     fclose(file);
     ok = ok && csv_parse(path, text, csv, error);
@@ -170,7 +170,7 @@ bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range
     } else if (range == CSV_NOT_NEGATIVE && *value < 0) {
         what = "is negative";
     }
-    if (what != NULL) {
+    if (what) {
         return error_set(error, "%s:%d: %s: '%s' %s", csv->path, csv_line(csv, row), name, text,
                          what);
     }

@@ -17,7 +17,7 @@ bool promises_create(struct promises *promises)
 {
     *promises =
         (struct promises){.rows = malloc(FRAME_SIDE_MAX * sizeof *promises->rows)};
-    bool memory = promises->rows != NULL;
+    bool memory = promises->rows;
 
     for (int i = 0; memory && i < PROMISES_TEXTURES; i++) {
         struct image *texture = &promises->textures[i];

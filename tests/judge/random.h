@@ -9,7 +9,7 @@ struct random {
     uint64_t state;
 };
 
-/* Reads the seed of this run from TEXMAP_SEED, 1 where that is unset. False where it is no number. */
+/* Reads the seed of this run from TEXMAP_SEED, 1 where it is unset. False where it is no number. */
 #define SEED_VARIABLE "TEXMAP_SEED"
 bool random_seed(uint64_t *seed);
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies the
-# starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then, and
+# tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies
+# the starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then, and
 # never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. Exit status 0:
 # it passes; 1: it does not yet; 2: bad usage, or it does not compile.
 #
@@ -131,7 +131,7 @@ folder=$build/exercise/$exercise
 cat "$lessons/$exercise/task.txt"
 echo
 echo "Your copy: $(for file in $(files_of "$(stage_of "$exercise")"); do
-    printf '%s/%s ' "$folder" "$file"; done)(make clean removes it; so does deleting it, to start anew)"
+    printf '%s/%s ' "$folder" "$file"; done)(make clean, or deleting it, starts anew)"
 echo
 compile "$exercise" "$folder" || exit 2
 if judge "$exercise" "$folder"; then

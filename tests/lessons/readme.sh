@@ -1,14 +1,14 @@
 #!/bin/sh
 # tests/lessons/readme.sh [--check] [README...]: writes the READMEs' blocks anew. A block names the
-# command whose output it is, run here with the functions below; one that begins with texmap is shown
-# too, as code, and what the others print is Markdown.
+# command whose output it is, run here with the functions below; one that begins with texmap is
+# shown too, as code, and what the others print is Markdown.
 #
 #   <!-- begin: COMMAND -->
 #   <!-- end -->
 #
-# With --check nothing is written, and each line is a test, `ok NAME` or `FAIL NAME: why`: blocks are
-# what their commands print; a number in the text with a unit of something measured stands, rounded,
-# in one of the file's blocks, or in a comment `<!-- given: NUMBERS -->` where it is not from here;
+# With --check nothing is written, and each line is a test, `ok NAME` or `FAIL NAME: why`: blocks
+# are what their commands print; a number in the text with a unit of something measured stands,
+# rounded, in one of the file's blocks, or in a comment `<!-- given: NUMBERS -->` where it is not from here;
 # links lead somewhere; no text is longer than agreed. TEXMAP_BUILD is where texmap is.
 
 results=tests/results/bench.csv
@@ -86,7 +86,7 @@ table() {
 # is as A.
 compare() {
     measured 'printf "| scene |"
-        for (k = 3; k in argument; k++) 
+        for (k = 3; k in argument; k++)
             printf " %s, %s | %s |", title(argument[k]), argument[1], argument[2]
         printf " times as fast |\n|---|---:|"
         for (k = 3; k in argument; k++) printf "---:|---:|"

@@ -150,7 +150,8 @@ aarch64() {
     need qemu-aarch64-static qemu-user-static
     echo '#include <stdio.h>' | aarch64-linux-gnu-gcc -E - > /dev/null 2>&1 ||
         { echo "aarch64's C library is missing: Debian package libc6-dev-arm64-cross"; exit 1; }
-    build aarch64 aarch64-linux-gnu-gcc '-O2 -static -Werror' 'test texmap' AR=aarch64-linux-gnu-ar || return
+    build aarch64 aarch64-linux-gnu-gcc '-O2 -static -Werror' 'test texmap' \
+        AR=aarch64-linux-gnu-ar || return
     draws_the_same qemu-aarch64-static
     # `cli` starts the program by its name, `bench` measures, and the others take minutes here.
     for group in files clip raster exact; do

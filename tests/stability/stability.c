@@ -132,7 +132,7 @@ static bool take_line(struct stability_case *row, const char *line,
         return text_add(row->why, sizeof row->why, value ? value : line);
     }
     if ((value = value_of(line, "measure: "))) {
-        return (row->measure = measure_find(value)) != NULL;
+        return (row->measure = measure_find(value));
     }
     if (row->measure) {
         return take_expectation(row, line, chosen);

@@ -29,7 +29,7 @@ static char *draw(const char *text, struct error *error)
     size_t size;
     if (csv_parse("t", text, &csv, error)) {
         FILE *out = chart_load(&csv, &chart, error) ? open_memstream(&svg, &size) : NULL;
-        if (out != NULL) {
+        if (out) {
             chart_draw(out, &chart);
             fclose(out);
             chart_destroy(&chart);
@@ -103,7 +103,7 @@ static void test_positions(void)
     char *svg = draw(HEADER ROW("stage1_float", "1", "1", "1") ROW("stage2_dda", "0.1", "1", "2")
                      ROW("stage3_fixed28_4", "10", "1", "3") ROW("stage5_asm", "0.001", "1", "4")
                      ROW("coda", "0", "0", "0.5") ROW("segment_8", "1", "1", ""), &error);
-    const size_t count = svg != NULL ? svg_tipped_marks(svg, at, 8) : 0;
+    const size_t count = svg ? svg_tipped_marks(svg, at, 8) : 0;
     if (check(count == 5, "what was timed has a mark, the fastest first", "%zu marks", count)) {
         check(fabs(at[3].at.x - 2 * at[2].at.x + at[1].at.x) < 0.3 &&
                   fabs(at[2].at.y - 2 * at[1].at.y + at[3].at.y) < 0.3,

@@ -7,8 +7,8 @@
 
 /* A check of the test of that name. A test is counted once, however often it is checked, and has
  * passed when every check of it held. Where one does not, prints `FAIL name: ` and the details,
- * printf-style: seed, case, expected and got. Then says how to run just this group of tests. Returns
- * `holds`. */
+ * printf-style: seed, case, expected and got. Then says how to run just this group of tests.
+ * Returns `holds`. */
 bool check(bool holds, const char *name, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 3, 4)))

@@ -28,7 +28,7 @@ const char *test_path(const char *name)
         fprintf(stderr, "test: the path of the build folder is too long\n");
         exit(2);
     }
-    for (char *slash = path + 1; (slash = strchr(slash, '/')) != NULL; slash++) {
+    for (char *slash = path + 1; (slash = strchr(slash, '/')); slash++) {
         *slash = '\0';
         mkdir(path, 0777); /* where this fails, so does the writing of the file */
         *slash = '/';

@@ -199,7 +199,7 @@ void test_golden(void)
     struct error error;
     FILE *file = fopen(GOLDEN_FILE, "r");
 
-    if (!check(file != NULL, "golden: there are digests to compare with",
+    if (!check(file, "golden: there are digests to compare with",
                "%s cannot be read from this folder", GOLDEN_FILE)) {
         return;
     }

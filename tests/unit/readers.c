@@ -99,7 +99,7 @@ static bool read_file(const char *path, struct error *error)
         const bool read = ppm_read_texture(path, &image, error);
         check(read ? image.width == 2 && image.height == 1 && image.pixels[0] == 0xFF616263 &&
                          image.pixels[1] == 0xFF646566
-                   : image.pixels == NULL,
+                   : !image.pixels,
               "a .ppm file is read as red, green, blue; or the image is as it was", "%s", path);
         image_destroy(&image);
         return read;

@@ -68,7 +68,7 @@ static void test_bad_cases(const struct stability_stages *chosen)
         struct stability_case row;
         struct error error = {""};
         FILE *file = fopen(path, "w");
-        if (check(file != NULL, "a file can be written", "%s", path)) {
+        if (check(file, "a file can be written", "%s", path)) {
             fprintf(file, "%s0 0 1 0 0\n4 0 1 4 0\n0 4 1 0 4\n", heads[i]);
             fclose(file);
             check(!stability_open(&row, path, chosen, &error) && strstr(error.text, path),

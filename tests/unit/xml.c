@@ -40,13 +40,13 @@ static const char *skip_attribute(const char *c)
         return NULL;
     }
     c += length + 2;
-    while (c != NULL && *c != '"') {
+    while (c && *c != '"') {
         if (*c == '\0' || *c == '<') {
             return NULL;
         }
         c = *c == '&' ? skip_entity(c) : c + 1;
     }
-    return c != NULL ? c + 1 : NULL;
+    return c ? c + 1 : NULL;
 }
 
 /* Past the tag at `c`, which opens, closes or does both; NULL if it is wrong. */
@@ -65,13 +65,13 @@ static const char *skip_tag(const char *c, const char *open[DEPTH_LIMIT], int *d
         --*depth;
         return match && *c == '>' ? c + 1 : NULL;
     }
-    while (c != NULL && (*c == ' ' || *c == '\n')) {
+    while (c && (*c == ' ' || *c == '\n')) {
         c = skip_attribute(c);
     }
-    if (c != NULL && strncmp(c, "/>", 2) == 0) {
+    if (c && strncmp(c, "/>", 2) == 0) {
         return c + 2;
     }
-    if (c == NULL || *c != '>' || *depth == DEPTH_LIMIT) {
+    if (!c || *c != '>' || *depth == DEPTH_LIMIT) {
         return NULL;
     }
     open[(*depth)++] = name;
@@ -94,11 +94,11 @@ bool xml_well_formed(const char *text, const char **where)
         } else {
             c = *c == '&' ? skip_entity(c) : *c == '\0' ? NULL : c + 1;
         }
-    } while (c != NULL && depth > 0);
-    if (c != NULL) {
+    } while (c && depth > 0);
+    if (c) {
         *where = c + strspn(c, "\n");
     }
-    return c != NULL && **where == '\0';
+    return c && **where == '\0';
 }
 
 /* Copies what follows `key` after `c`, up to `end`, entities as one '?': a character each. */
@@ -106,7 +106,7 @@ static void copy_after(const char *c, const char *key, char end, char *to, size_
 {
     c = strstr(c, key);
     size_t length = 0;
-    if (c != NULL) {
+    if (c) {
         c += strlen(key);
         while (*c != end && *c != '\0' && length + 1 < size) {
             to[length++] = *c == '&' ? '?' : *c;
@@ -126,7 +126,7 @@ static double number_after(const char *c, const char *key)
 size_t svg_words(const char *svg, struct svg_word *words, size_t max)
 {
     size_t count = 0;
-    for (const char *c = svg; (c = strstr(c, "<text ")) != NULL && count < max; c++) {
+    for (const char *c = svg; (c = strstr(c, "<text ")) && count < max; c++) {
         struct svg_word *word = &words[count++];
         char anchor[8];
         copy_after(c, "class=\"", '"', word->class, sizeof word->class);
@@ -146,9 +146,9 @@ size_t svg_words(const char *svg, struct svg_word *words, size_t max)
 size_t svg_tipped_marks(const char *svg, struct svg_tipped *marks, size_t max)
 {
     size_t count = 0;
-    for (const char *c = svg; (c = strstr(c, "<path ")) != NULL && count < max; c++) {
+    for (const char *c = svg; (c = strstr(c, "<path ")) && count < max; c++) {
         const char *end = strchr(c, '>');
-        if (end == NULL || strncmp(end, "><title>", 8) != 0) {
+        if (!end || strncmp(end, "><title>", 8) != 0) {
             continue;
         }
         struct svg_tipped *mark = &marks[count++];
