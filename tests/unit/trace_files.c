@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/files/csv.h"
-#include "tests/unit/json.h"
 #include "tests/unit/trace.h"
 
 static size_t occurrences(const char *text, const char *part)
@@ -109,11 +108,10 @@ static void test_writers(const struct stage *stage, struct random *random,
     char *json = written(trace_write_json, &trace), *table = written(trace_write_table, &trace);
     char *text = written(trace_write_csv, &trace);
     const size_t rows = count_events(&trace, TRACE_KIND_SPAN);
-    check(json && json_valid(json) &&
-              occurrences(json, "\"texel_u\":") == count_events(&trace, TRACE_KIND_PIXEL) &&
+    check(json && occurrences(json, "\"texel_u\":") == count_events(&trace, TRACE_KIND_PIXEL) &&
               occurrences(json, "\"left\":") == rows &&
               occurrences(json, "\"u_step_16_16\":") == count_events(&trace, TRACE_KIND_SEGMENT),
-          "the JSON is well formed, with all rows, segments and pixels", "%s", stage->name);
+          "the JSON has all rows, segments and pixels", "%s", stage->name);
     check(table && occurrences(table, "\nrow ") == rows,
           "the table has all rows", "%s: %zu of them", stage->name, rows);
     if (check(text && csv_parse(stage->name, text, &csv, &error), "the CSV is one", "%s",
@@ -140,7 +138,6 @@ void test_trace_files(void)
     struct random random = random_start(0x7B);
     struct image texture;
 
-    test_json();
     if (!check(texture_create(&texture, TEXTURE_COORD), "memory for a texture", "none")) {
         return;
     }

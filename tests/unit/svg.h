@@ -1,12 +1,8 @@
-/* Checks of what the tests find in a picture: is it XML, and what stands where? */
-#ifndef TESTS_TEST_XML_H
-#define TESTS_TEST_XML_H
+/* What stands where in a picture that tests/chart/ drew. Whether it is XML, xmllint says in CI. */
+#ifndef TESTS_UNIT_SVG_H
+#define TESTS_UNIT_SVG_H
 
 #include "tests/chart/svg.h"
-
-/* Is `text` one well-formed element: tags balanced, attributes quoted, entities known? If not,
- * `*where` is the place that is wrong. No declarations, comments or CDATA. */
-bool xml_well_formed(const char *text, const char **where);
 
 struct svg_word {
     struct box box; /* by svg_text_width */
