@@ -116,7 +116,6 @@ static bool parse_vertex(const struct reader *reader, const char *text, struct v
 
     for (size_t i = 0; i < FIELD_COUNT; i++) {
         char *end;
-
         text = skip_space(text);
         values[i] = strtof(text, &end);
         /* `1-2` is not two numbers, though strtof could go on behind the first. */
@@ -193,7 +192,6 @@ bool tri_write(const char *path, const struct triangle_list *list, struct error 
     for (size_t i = 0; i < list->count && !ferror(file); i++) {
         for (int k = 0; k < 3; k++) {
             const struct vertex *v = &list->items[i].v[k];
-
             fprintf(file, "%.9g %.9g %.9g %.9g %.9g\n", v->x, v->y, v->z, v->u, v->v);
         }
     }
