@@ -103,20 +103,20 @@ static struct axis_place place_on_axis(double coordinate, double min, double max
     return (struct axis_place){(int16_t)texel, (int16_t)other, (float)(texel - at)};
 }
 
-static void exact_span(struct meter *meter, const struct exact_triangle *triangle, int y,
-                       uint32_t surface, int scale)
+static void fill_span(struct place *places, struct image *surfaces, uint32_t surface,
+                      const struct exact_triangle *triangle, int y, int scale)
 {
     int first, end;
 
-    exact_row(triangle, y, meter->frame.width, &first, &end);
+    exact_row(triangle, y, surfaces->width, &first, &end);
     for (int x = first; x < end; x++) {
-        const size_t pixel = (size_t)y * (size_t)meter->frame.width + (size_t)x;
+        const size_t pixel = (size_t)y * (size_t)surfaces->width + (size_t)x;
         const struct exact_point at = exact_at(triangle, x, y);
-        meter->exact[pixel] = (struct place){
+        places[pixel] = (struct place){
             place_on_axis(at.u, triangle->u_min, triangle->u_max, scale),
             place_on_axis(at.v, triangle->v_min, triangle->v_max, scale),
         };
-        meter->exact_surfaces.pixels[pixel] = surface;
+        surfaces->pixels[pixel] = surface;
     }
 }
 
@@ -125,9 +125,10 @@ static void clear(struct image *image)
     memset(image->pixels, 0, (size_t)image->stride * (size_t)image->height * sizeof(uint32_t));
 }
 
-void meter_exact(struct meter *meter, const struct triangle_list *list, int grid, int scale)
+void places_fill(struct place *places, struct image *surfaces, const uint32_t *surface_of,
+                 const struct triangle_list *list, int grid, int scale)
 {
-    clear(&meter->exact_surfaces);
+    clear(surfaces);
     for (size_t i = 0; i < list->count; i++) {
         struct vertex v[3];
         for (int k = 0; k < 3; k++) {
@@ -138,10 +139,15 @@ void meter_exact(struct meter *meter, const struct triangle_list *list, int grid
             continue;
         }
         for (int y = triangle.first_row > 0 ? triangle.first_row : 0;
-             y < triangle.end_row && y < meter->frame.height; y++) {
-            exact_span(meter, &triangle, y, meter->surface_of[i], scale);
+             y < triangle.end_row && y < surfaces->height; y++) {
+            fill_span(places, surfaces, surface_of ? surface_of[i] : ALPHA, &triangle, y, scale);
         }
     }
+}
+
+void meter_exact(struct meter *meter, const struct triangle_list *list, int grid, int scale)
+{
+    places_fill(meter->exact, &meter->exact_surfaces, meter->surface_of, list, grid, scale);
 }
 
 void meter_draw(struct meter *meter, const struct triangle_list *list, draw_triangle *draw,

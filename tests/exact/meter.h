@@ -58,9 +58,15 @@ int texel_difference(int from, int to, int side);
 /* Begins to measure a list: numbers its surfaces. False when there is no memory. */
 bool meter_begin(struct meter *meter, const struct triangle_list *list);
 
-/* Fills `exact` and `exact_surfaces` for u and v scaled about -1/2, and the vertices rounded to
- * `grid` positions a pixel (0: not rounded). With scale 1 the places are texels of the texture
- * `coord`: where a triangle uses that once, a texel beyond its sides is never right. */
+/* The exact answer for a whole frame: a place for each pixel of `surfaces`, which shows the number
+ * of the triangle's surface (without numbers: ALPHA), 0 where there is none; the place there is not
+ * set. For u and v scaled about -1/2, and the vertices rounded to `grid` positions a pixel (0: not
+ * rounded). With scale 1 the places are texels of the texture `coord`: where a triangle uses that
+ * once, a texel beyond its sides is never right. */
+void places_fill(struct place *places, struct image *surfaces, const uint32_t *surface_of,
+                 const struct triangle_list *list, int grid, int scale);
+
+/* The same, into `exact` and `exact_surfaces`. */
 void meter_exact(struct meter *meter, const struct triangle_list *list, int grid, int scale);
 
 /* Draws the list into `frame`, u and v scaled about -1/2. */

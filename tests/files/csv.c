@@ -13,13 +13,12 @@ static char *next_line(char **rest)
     if (*line == '\0') {
         return NULL;
     }
-    char *end = strchr(line, '\n');
-    if (!end) {
-        *rest = line + strlen(line);
-    } else {
-        *end = '\0';
-        *rest = end + 1;
+    char *end = line + strcspn(line, "\n");
+    *rest = *end == '\n' ? end + 1 : end;
+    if (end > line && end[-1] == '\r') {
+        end--; /* as Windows ends a line */
     }
+    *end = '\0';
     return line;
 }
 
@@ -85,7 +84,9 @@ bool csv_parse(const char *path, const char *text, struct csv *csv, struct error
     if (!csv->text || !csv->comments || !csv->columns) {
         error_set(error, "%s: no memory", path);
     } else {
-        memcpy(csv->text, text, size + 1);
+        const char *byte_order_mark = "\xEF\xBB\xBF";
+        const size_t skip = strncmp(text, byte_order_mark, 3) == 0 ? 3 : 0;
+        memcpy(csv->text, text + skip, size + 1 - skip);
         ok = parse_rows(csv->text, csv, error);
     }
     if (!ok) {

@@ -10,6 +10,7 @@
 
 #define LINE_SIZE 16384          /* bytes that a line may have, its newline included */
 #define CHUNK_SIZE (4 * LINE_SIZE)
+#define BYTE_ORDER_MARK "\xEF\xBB\xBF" /* some editors begin a file with it */
 #define VALUE_SHOWN 40           /* characters of a number that an error quotes at most */
 
 /* Hands out lines of large reads. fgets would hide a NUL byte. */
@@ -18,6 +19,7 @@ struct reader {
     const char *path;
     struct error *error;
     size_t line;               /* the current line's number, from 1 */
+    int width, height;         /* of the frame, as the file says; 0: it does not */
     size_t begin, end;         /* of the bytes read and not yet handed out */
     char bytes[CHUNK_SIZE + 1]; /* and a NUL behind a last line without its newline */
 };
@@ -51,6 +53,24 @@ static bool refill(struct reader *reader)
     return count > 0;
 }
 
+/* Takes the frame's size from a comment `# size WxH`, and blanks it as any comment. */
+static bool read_size(struct reader *reader, char *comment)
+{
+    int width, height;
+    char rest;
+
+    if (sscanf(comment, "# size %9dx%9d %c", &width, &height, &rest) == 2) {
+        if (width < 1 || width > FRAME_SIDE_MAX || height < 1 || height > FRAME_SIDE_MAX) {
+            return error_set(reader->error, "%s:%zu: size %dx%d: each side is from 1 to %d",
+                             reader->path, reader->line, width, height, FRAME_SIDE_MAX);
+        }
+        reader->width = width;
+        reader->height = height;
+    }
+    comment[0] = '\0';
+    return true;
+}
+
 /* Sets `line` to the next line without its newline and comment, or to NULL after the last. */
 static bool read_line(struct reader *reader, char **line)
 {
@@ -78,6 +98,12 @@ static bool read_line(struct reader *reader, char **line)
     }
     reader->begin += length + (newline ? 1 : 0);
     (*line)[length] = '\0';
+    if (reader->line == 1 && strncmp(*line, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0) {
+        *line += strlen(BYTE_ORDER_MARK);
+    }
+    if ((*line)[0] == '#') {
+        return read_size(reader, *line);
+    }
     (*line)[strcspn(*line, "#")] = '\0';
     return true;
 }
@@ -116,6 +142,7 @@ static bool parse_vertex(const struct reader *reader, const char *text, struct v
 
     for (size_t i = 0; i < FIELD_COUNT; i++) {
         char *end;
+
         text = skip_space(text);
         values[i] = strtof(text, &end);
         /* `1-2` is not two numbers, though strtof could go on behind the first. */
@@ -162,6 +189,14 @@ static bool read_triangles(struct reader *reader, struct triangle_list *list)
 
 bool tri_read(const char *path, struct triangle_list *list, struct error *error)
 {
+    int width, height;
+
+    return tri_read_sized(path, list, &width, &height, error);
+}
+
+bool tri_read_sized(const char *path, struct triangle_list *list, int *width, int *height,
+                    struct error *error)
+{
     struct reader reader;
 
     reader.file = fopen(path, "rb");
@@ -172,11 +207,15 @@ bool tri_read(const char *path, struct triangle_list *list, struct error *error)
     reader.path = path;
     reader.error = error;
     reader.line = reader.begin = reader.end = 0;
+    reader.width = reader.height = 0;
     bool done = read_triangles(&reader, list);
 
     fclose(reader.file);
     if (!done) {
         triangle_list_destroy(list);
+    } else if (reader.width > 0) {
+        *width = reader.width;
+        *height = reader.height;
     }
     return done;
 }
@@ -192,6 +231,7 @@ bool tri_write(const char *path, const struct triangle_list *list, struct error 
     for (size_t i = 0; i < list->count && !ferror(file); i++) {
         for (int k = 0; k < 3; k++) {
             const struct vertex *v = &list->items[i].v[k];
+
             fprintf(file, "%.9g %.9g %.9g %.9g %.9g\n", v->x, v->y, v->z, v->u, v->v);
         }
     }

@@ -8,29 +8,6 @@
 #include "tests/program/progress.h"
 #include "tests/program/table.h"
 
-#define STAGES_MAX 16
-
-/* The stages that the command line names, in the order of stages[]. */
-struct choice {
-    const struct stage *stages[STAGES_MAX];
-    int count;
-};
-
-static bool choose(struct choice *choice, const char *name, struct error *error)
-{
-    *choice = (struct choice){.count = 0};
-    if (strcmp(name, "all") != 0) {
-        choice->stages[choice->count++] = stage_parse("--stage", name, error);
-        return choice->stages[0];
-    }
-    for (const struct stage *stage = stages; stage->name && choice->count < STAGES_MAX; stage++) {
-        if (stage->digit || strcmp(stage->name, "coda") == 0) {
-            choice->stages[choice->count++] = stage;
-        }
-    }
-    return true;
-}
-
 static void show_progress(int done, int frames)
 {
     progress("accuracy: jitter", (double)done / frames);
@@ -52,8 +29,8 @@ static void print_row(const struct stage *stage, const struct accuracy *a)
     printf("\n");
 }
 
-static void print_table(const struct source *source, const struct choice *choice,
-                        const struct accuracy accuracy[])
+static void print_table(const struct source *source, const struct stage *const chosen[],
+                        int count, const struct accuracy accuracy[])
 {
     printf("%s, %dx%d, %zu triangle%s. Distances in texels, coverage in pixels.\n", source->name,
            source->size.width, source->size.height, accuracy[0].triangles,
@@ -64,8 +41,8 @@ static void print_table(const struct source *source, const struct choice *choice
            "jitter");
     printf("%-16s%8s%7s%7s%5s%8s%8s%6s%6s%8s\n", "stage", "texel %", "u", "v", "", "rms", "max",
            "miss", "extra", "rms");
-    for (int i = 0; i < choice->count; i++) {
-        print_row(choice->stages[i], &accuracy[i]);
+    for (int i = 0; i < count; i++) {
+        print_row(chosen[i], &accuracy[i]);
     }
     if (accuracy[0].border_pct > 0) {
         printf("\n%.4f %% of the pixels lie on a border, where two texels are right.\n",
@@ -73,7 +50,8 @@ static void print_table(const struct source *source, const struct choice *choice
     }
 }
 
-static bool write_csv(const char *path, const struct source *source, const struct choice *choice,
+static bool write_csv(const char *path, const struct source *source,
+                      const struct stage *const chosen[], int count,
                       const struct accuracy accuracy[], struct error *error)
 {
     FILE *file = file_create(path, error);
@@ -84,25 +62,30 @@ static bool write_csv(const char *path, const struct source *source, const struc
     fprintf(file, "stage,scene,width,height,triangles,pixels,wrong_texel_pct,bias_u,bias_v,"
                   "max_texel,position_rms,position_max,coverage_missing,coverage_extra,"
                   "jitter_rms,jitter_floor,ruler_step,border_pct\n");
-    for (int i = 0; i < choice->count; i++) {
+    for (int i = 0; i < count; i++) {
         const struct accuracy *a = &accuracy[i];
-        fprintf(file, "%s,%s,%d,%d,%zu,%zu,%.6f,%.6f,%.6f,%d,", choice->stages[i]->name,
-                source->name, source->size.width, source->size.height, a->triangles, a->pixels,
-                a->wrong_texel_pct, a->bias_u, a->bias_v, a->max_texel);
-        fprintf(file, "%.8f,%.8f,%zu,%zu,%.8f,%.8f,%.8f,%.6f\n", a->position_rms, a->position_max,
-                a->coverage_missing, a->coverage_extra, a->jitter_rms, a->jitter_floor,
-                a->ruler_step, a->border_pct);
+        fprintf(file, "%s,%s,%d,%d,%zu,%zu,", chosen[i]->name, source->name, source->size.width,
+                source->size.height, a->triangles, a->pixels);
+        if (a->pixels == 0) { /* nothing to be right or wrong: empty fields */
+            fprintf(file, ",,,,,,%zu,%zu,,,,\n", a->coverage_missing, a->coverage_extra);
+            continue;
+        }
+        fprintf(file, "%.6f,%.6f,%.6f,%d,%.8f,%.8f,", a->wrong_texel_pct, a->bias_u, a->bias_v,
+                a->max_texel, a->position_rms, a->position_max);
+        fprintf(file, "%zu,%zu,%.8f,%.8f,%.8f,%.6f\n", a->coverage_missing, a->coverage_extra,
+                a->jitter_rms, a->jitter_floor, a->ruler_step, a->border_pct);
     }
     return file_finish(file, path, error);
 }
 
 static enum outcome run(const struct options *options, struct error *error)
 {
-    struct accuracy accuracy[STAGES_MAX];
-    struct choice choice;
+    struct accuracy accuracy[CHOSEN_MAX];
+    const struct stage *chosen[CHOSEN_MAX];
     struct source source;
 
-    if (!choose(&choice, options->stage, error) || !source_open(&source, options, error)) {
+    const int count = stages_parse(options->stage, false, chosen, error);
+    if (count == 0 || !source_open(&source, options, error)) {
         return OUTCOME_FAILED;
     }
     const char *csv = options->csv;
@@ -110,23 +93,24 @@ static enum outcome run(const struct options *options, struct error *error)
         (!csv || !strpbrk(source.name, ",\"\n") ||
          error_set(error, "--csv: no commas or quotes in the name %s", source.name)) &&
         (!csv || file_possible(csv, error)) &&
-        accuracy_measure(&source, choice.stages, choice.count, accuracy, show_progress, error);
+        accuracy_measure(&source, chosen, count, accuracy, show_progress, error);
     if (done) {
-        print_table(&source, &choice, accuracy);
+        print_table(&source, chosen, count, accuracy);
     }
-    const bool written = done && (!csv || write_csv(csv, &source, &choice, accuracy, error));
+    const bool written = done && (!csv || write_csv(csv, &source, chosen, count, accuracy, error));
     source_close(&source);
     return written ? OUTCOME_DONE : OUTCOME_FAILED;
 }
 
 const struct command command_accuracy = {
     "accuracy", "--stage S|all SOURCE [--csv FILE]",
-    "Measures how far stages are from the exact answer. The columns, distances in texels:\n"
+    "Measures how far stages are from the exact answer. Columns, distances in texels:\n"
     "  wrong texel %  pixels whose texel is not the exact answer's\n"
     "  bias u, v      mean of the texel's index minus the right one's\n"
     "  max            largest distance of a texel from the right one, along u or v\n"
-    "  position       how far u and v are from the exact answer's: RMS, and the largest\n"
-    "  miss, extra    pixels of a surface that a stage does not show; that it should not\n"
-    "  jitter         change of the position error as the scene moves by 1/64 pixel a frame, RMS\n"
+    "  position       how far u and v are from the exact answer's: RMS, and largest\n"
+    "  miss, extra    pixels of a surface that a stage does not show; should not show\n"
+    "  jitter         change of the position error as the scene moves by 1/64 pixel a\n"
+    "                 frame, RMS\n"
     "A pixel within 1e-6 texel of a border has two right texels.",
-    OPTION_STAGE | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE, run};
+    OPTION_STAGE_OR_ALL | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE_OR_ALL, run};

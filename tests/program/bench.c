@@ -16,38 +16,19 @@
 #define NOISY 1.2 /* median over minimum, in more rows than ... */
 #define NOISY_SHARE 0.25
 
-/* All of them in the order of use: the stages, the coda, then stage 4's other segments. */
-static bool choose_all(struct bench_choice *choice, struct error *error)
-{
-    for (int segments = 0; segments < 2; segments++) {
-        for (const struct stage *stage = stages; stage->name; stage++) {
-            if ((strncmp(stage->name, "segment_", strlen("segment_")) == 0) != segments) {
-                continue;
-            }
-            if (choice->stage_count == BENCH_STAGES_MAX) {
-                return error_set(error, "--stage all: more than %d stages", BENCH_STAGES_MAX);
-            }
-            choice->stages[choice->stage_count++] = stage;
-        }
-    }
-    return true;
-}
-
 static bool choose(struct bench_choice *choice, const struct options *options,
                    struct error *error)
 {
     *choice = (struct bench_choice){.size = {DEFAULT_WIDTH, DEFAULT_HEIGHT}};
-    if (options->given & OPTION_SIZE) {
+    if (options->given & OPTION_SIZE_BENCH) {
         choice->size = options->size;
     }
     if (options->scene && strcmp(options->scene, "all") != 0) {
         choice->scene = options->scene;
     }
-    if (!options->stage || strcmp(options->stage, "all") == 0) {
-        return choose_all(choice, error);
-    }
-    choice->stages[choice->stage_count++] = stage_parse("--stage", options->stage, error);
-    return choice->stages[0];
+    choice->stage_count =
+        stages_parse(options->stage ? options->stage : "all", true, choice->stages, error);
+    return choice->stage_count > 0;
 }
 
 static double lookup_ns(const struct bench *bench, const struct bench_row *row)
@@ -174,4 +155,5 @@ const struct command command_bench = {
     "Stages take turns in each round; of all rounds the minimum and the median count. A stage\n"
     "whose frame is wrong is not timed (exit status 1). all, the default: every stage and segment\n"
     "length. Accuracy is measured first; however few the seconds, one round is run.",
-    OPTION_STAGE | OPTION_SCENE | OPTION_SIZE | OPTION_CSV | OPTION_SECONDS, 0, run};
+    OPTION_STAGE_OR_EVERY | OPTION_SCENE_OR_ALL | OPTION_SIZE_BENCH | OPTION_CSV | OPTION_SECONDS, 0,
+    run};

@@ -23,6 +23,13 @@ struct counts {
     size_t coverage;  /* drawn by one alone */
     size_t texel;     /* drawn by both, with different texels */
     int max_distance; /* texels, the larger of the two axes */
+    size_t ties;      /* of those that differ: the exact coordinate lies on a border of texels */
+};
+
+/* The exact answer, which says where the borders are. */
+struct borders {
+    struct place *places;
+    struct image drawn;
 };
 
 static bool parse_pair(const char *text, const struct stage *stages_of[2], struct error *error)
@@ -46,15 +53,13 @@ static void pair_destroy(struct pair *pair)
     image_destroy(&pair->of[1]);
 }
 
+/* False when there is no memory. */
 static bool pair_draw(struct pair *pair, const struct source *source,
-                      const struct stage *const stages_of[2], const struct image *texture,
-                      struct error *error)
+                      const struct stage *const stages_of[2], const struct image *texture)
 {
-    *pair = (struct pair){0};
     for (int i = 0; i < 2; i++) {
         if (!image_create(&pair->of[i], source->size.width, source->size.height)) {
-            pair_destroy(pair);
-            return error_set(error, "diff: no memory for the frames");
+            return false;
         }
         source_draw(source, stages_of[i]->draw, texture, &pair->of[i]);
     }
@@ -92,8 +97,16 @@ static uint32_t distance_colour(int distance)
 #define ONLY_FIRST 0xFFFF00FFu  /* magenta */
 #define ONLY_SECOND 0xFFFFFFFFu /* white */
 
+static bool is_tie(const struct borders *borders, size_t pixel)
+{
+    const struct place *place = &borders->places[pixel];
+
+    return borders->drawn.pixels[pixel] != 0 && (place->u.other != 0 || place->v.other != 0);
+}
+
 /* Compares, and writes the picture over the first frame of `drawn`. */
-static struct counts compare(struct pair *drawn, const struct pair *texels)
+static struct counts compare(struct pair *drawn, const struct pair *texels,
+                             const struct borders *borders)
 {
     struct counts counts = {0};
     const size_t size = (size_t)drawn->of[0].width * (size_t)drawn->of[0].height;
@@ -104,6 +117,7 @@ static struct counts compare(struct pair *drawn, const struct pair *texels)
         const int distance = texel_distance(texels->of[0].pixels[i], texels->of[1].pixels[i]);
         counts.pixels += a != 0 || b != 0;
         counts.differing += a != b;
+        counts.ties += a != b && is_tie(borders, i);
         if ((a == 0) != (b == 0)) {
             counts.coverage++;
             *picture = b == 0 ? ONLY_FIRST : ONLY_SECOND;
@@ -117,13 +131,15 @@ static struct counts compare(struct pair *drawn, const struct pair *texels)
 }
 
 static enum outcome report(struct pair *drawn, const struct pair *texels,
-                           const struct options *options, struct error *error)
+                           const struct borders *borders, const struct options *options,
+                           struct error *error)
 {
-    const struct counts counts = compare(drawn, texels);
+    const struct counts counts = compare(drawn, texels, borders);
     const double share = counts.pixels > 0 ? (double)counts.differing / (double)counts.pixels : 0;
 
-    printf("pixels %zu differing %zu (%.4f %%) coverage %zu texel %zu max %d\n", counts.pixels,
-           counts.differing, 100 * share, counts.coverage, counts.texel, counts.max_distance);
+    printf("pixels %zu differing %zu (%.4f %%) coverage %zu texel %zu max %d ties %zu\n",
+           counts.pixels, counts.differing, 100 * share, counts.coverage, counts.texel,
+           counts.max_distance, counts.ties);
     if (options->output && !image_write(options->output, &drawn->of[0], error)) {
         return OUTCOME_FAILED;
     }
@@ -132,35 +148,55 @@ static enum outcome report(struct pair *drawn, const struct pair *texels,
                : OUTCOME_DONE;
 }
 
+static bool borders_find(struct borders *borders, const struct source *source)
+{
+    const size_t pixels = (size_t)source->size.width * (size_t)source->size.height;
+
+    borders->places = malloc(pixels * sizeof *borders->places);
+    if (!borders->places ||
+        !image_create(&borders->drawn, source->size.width, source->size.height)) {
+        return false;
+    }
+    places_fill(borders->places, &borders->drawn, NULL, &source->triangles, 0, 1);
+    return true;
+}
+
 static enum outcome run(const struct options *options, struct error *error)
 {
     enum outcome outcome = OUTCOME_FAILED;
     const struct stage *stages_of[2];
     struct source source;
-    struct pair drawn, texels;
+    struct pair drawn = {0}, texels = {0};
+    struct borders borders = {0};
 
     if (!parse_pair(options->stages, stages_of, error) ||
         (options->output && !image_path_valid(options->output, error)) ||
         !source_open(&source, options, error)) {
         return OUTCOME_FAILED;
     }
-    if (pair_draw(&drawn, &source, stages_of, NULL, error)) {
-        if (pair_draw(&texels, &source, stages_of, &source.textures[TEXTURE_COORD], error)) {
-            outcome = report(&drawn, &texels, options, error);
-            pair_destroy(&texels);
-        }
-        pair_destroy(&drawn);
+    if (pair_draw(&drawn, &source, stages_of, NULL) &&
+        pair_draw(&texels, &source, stages_of, &source.textures[TEXTURE_COORD]) &&
+        borders_find(&borders, &source)) {
+        outcome = report(&drawn, &texels, &borders, options, error);
+    } else {
+        error_set(error, "diff: no memory for the frames");
     }
+    pair_destroy(&drawn);
+    pair_destroy(&texels);
+    image_destroy(&borders.drawn);
+    free(borders.places);
     source_close(&source);
     return outcome;
 }
 
 const struct command command_diff = {
     "diff", "--stages A,B SOURCE [--texture T] [-o FILE] [--max-pixels N]",
-    "Counts pixels: drawn by either stage (pixels); with another colour, or drawn by one alone\n"
-    "(differing); drawn by one alone (coverage); drawn by both with another texel, which may have\n"
-    "the same colour (texel). And the largest distance of two texels, by the texture coord (max).\n"
-    "FILE shows where: pixels that agree are dimmed; blue to red, 1 to 32 texels apart or more;\n"
-    "magenta, only A drew it; white, only B.",
+    "Counts pixels: drawn by either stage (pixels); with another colour, or drawn by\n"
+    "one alone (differing); drawn by one alone (coverage); drawn by both with another\n"
+    "texel, which may have the same colour (texel). Then the largest distance of two\n"
+    "texels, by the texture coord (max); and of those that differ, the pixels whose\n"
+    "exact coordinate lies on a border of texels, where both are right (ties).\n"
+    "FILE shows where: pixels that agree are dimmed; blue to red, 1 to 32 texels apart\n"
+    "or more; magenta, only A drew it; white, only B.",
     OPTION_STAGES | OPTIONS_SOURCE | OPTION_TEXTURE | OPTION_OUTPUT | OPTION_MAX_PIXELS,
     OPTION_STAGES, run};

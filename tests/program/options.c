@@ -1,5 +1,6 @@
 #include "tests/program/options.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <stddef.h>
 #include <string.h>
@@ -72,31 +73,46 @@ static bool parse_size(const struct rule *rule, const char *text, void *field,
 }
 
 #define FIELD(name) offsetof(struct options, name)
+#define NEXT "\n                        " /* a line further, in the column of the help */
+#define ONE_STAGE                                                                                  \
+    "1 2 3 4 5, a folder's name, coda, exact (what is right)," NEXT                                \
+    "segment_4 _8 _32 _64 or _span: stage 4 with segments of" NEXT                                 \
+    "another length, of a whole span: plain affine"
 
+/* Where commands differ in what an option takes it has a row for each of them. */
 static const struct rule rules[] = {
-    {OPTION_STAGE, "--stage", "S",
-     "1 2 3 4 5, a stage's folder, exact (the right answer), or\n"
-     "                        segment_4, segment_8, segment_32, segment_64, segment_span:\n"
-     "                        stage 4 with other segment lengths; the last is plain affine",
+    {OPTION_STAGE, "--stage", "S", ONE_STAGE, FIELD(stage), parse_text, 0, 0},
+    {OPTION_STAGE_OR_ALL, "--stage", "S", "all (the five, and the coda where it runs), or" NEXT
+     ONE_STAGE, FIELD(stage), parse_text, 0, 0},
+    {OPTION_STAGE_OR_EVERY, "--stage", "S", "all (default; without exact), or" NEXT ONE_STAGE,
      FIELD(stage), parse_text, 0, 0},
-    {OPTION_STAGES, "--stages", "A,B", "two of them", FIELD(stages), parse_text, 0, 0},
-    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh (bench: or all)", FIELD(scene),
-     parse_text, 0, 0},
-    {OPTION_FRAME, "--frame", "K", "frame of the scene, 0 to 255; only the room moves (default 0)",
+    {OPTION_STAGE_TRACED, "--stage", "S", "1 2 3 4, or a folder's name", FIELD(stage), parse_text,
+     0, 0},
+    {OPTION_STAGES, "--stages", "A,B", "two, each" NEXT ONE_STAGE, FIELD(stages), parse_text, 0, 0},
+    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh", FIELD(scene), parse_text, 0, 0},
+    {OPTION_SCENE_OR_ALL, "--scene", "NAME", "room, wall, floor, mesh or all (default)",
+     FIELD(scene), parse_text, 0, 0},
+    {OPTION_FRAME, "--frame", "K", "of the scene, 0 to 255; only the room moves (default 0)",
      FIELD(frame), parse_int, 0, SCENE_FRAMES - 1},
-    {OPTION_TRIANGLES, "--triangles", "FILE.tri", "screen triangles in place of a scene",
+    {OPTION_TRIANGLES, "--triangles", "FILE.tri",
+     "instead of a scene: text, three lines a triangle, each" NEXT
+     "a vertex, `x y z u v` (pixels, depth, texels). # starts" NEXT
+     "a comment; `# size WxH` in a line says the frame's size",
      FIELD(triangles), parse_text, 0, 0},
-    {OPTION_SIZE, "--size", "WxH",
-     "the frame, each side 1 to 4096 pixels (default 640x480; bench: 1024x768)", FIELD(size),
-     parse_size, 1, FRAME_SIDE_MAX},
+    {OPTION_SIZE, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 640x480)",
+     FIELD(size), parse_size, 1, FRAME_SIDE_MAX},
+    {OPTION_SIZE_BENCH, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 1024x768)",
+     FIELD(size), parse_size, 1, FRAME_SIDE_MAX},
     {OPTION_TEXTURE, "--texture", "T",
-     "own (default), coord (R=u, G=v; .tri files' own), checker,\n"
-     "                        or a P6 .ppm file with sides that are powers of two",
+     "own (default), coord (R=u, G=v; .tri files' own)," NEXT
+     "checker, or a P6 .ppm file, its sides powers of two",
      FIELD(texture), parse_text, 0, 0},
     {OPTION_OUTPUT, "-o", "FILE", "where to write the result", FIELD(output), parse_text, 0, 0},
+    {OPTION_FOLDER, "-o", "DIR", "where to write it; made where it is missing", FIELD(output),
+     parse_text, 0, 0},
     {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
      FIELD(max_pixels), parse_int, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX},
-    {OPTION_CSV, "--csv", "FILE", "where to write the table as CSV", FIELD(csv), parse_text, 0, 0},
+    {OPTION_CSV, "--csv", "FILE", "where to write the numbers as CSV", FIELD(csv), parse_text, 0, 0},
     {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
      FIELD(seconds), parse_int, 1, SECONDS_MAX},
     {OPTION_TRIANGLE, "--triangle", "K", "which, counted from 0 in drawing order (default 0)",
@@ -174,6 +190,26 @@ void options_describe(FILE *file, unsigned accepted)
             fprintf(file, "  %-12s %-8s %s\n", rules[i].name, rules[i].value, rules[i].help);
         }
     }
+}
+
+int stages_parse(const char *name, bool segments, const struct stage *chosen[CHOSEN_MAX],
+                 struct error *error)
+{
+    int count = 0;
+
+    if (strcmp(name, "all") != 0) {
+        chosen[0] = stage_parse("--stage", name, error);
+        return chosen[0] ? 1 : 0;
+    }
+    for (int pass = 0; pass <= segments; pass++) {
+        for (const struct stage *stage = stages; stage->name; stage++) {
+            if ((strncmp(stage->name, "segment_", strlen("segment_")) == 0) == pass) {
+                assert(count < CHOSEN_MAX);
+                chosen[count++] = stage;
+            }
+        }
+    }
+    return count;
 }
 
 const struct stage *stage_parse(const char *option, const char *name, struct error *error)

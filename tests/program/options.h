@@ -24,6 +24,13 @@ enum option {
     OPTION_TRIANGLE = 1 << 12,
     OPTION_ROW = 1 << 13,
     OPTION_JSON = 1 << 14,
+    /* Where a command takes more, or less. */
+    OPTION_STAGE_OR_ALL = 1 << 15,   /* all: the five stages, and the coda where it runs */
+    OPTION_STAGE_OR_EVERY = 1 << 16, /* all: these, and stage 4's other segments */
+    OPTION_STAGE_TRACED = 1 << 17,
+    OPTION_SCENE_OR_ALL = 1 << 18,
+    OPTION_SIZE_BENCH = 1 << 19,
+    OPTION_FOLDER = 1 << 20,
 };
 
 /* What says which triangles to draw, and on a frame of which size: see tests/program/source.h. */
@@ -54,5 +61,11 @@ void options_describe(FILE *file, unsigned accepted);
 /* The stage of that name or digit, or for `exact` the exact answer. NULL where there is none; the
  * error then begins with the option's name. */
 const struct stage *stage_parse(const char *option, const char *name, struct error *error);
+
+/* The stages that --stage names: one, or for `all` the five and the coda where it runs, with
+ * `segments` stage 4's other segments behind them. Returns how many; 0 with `error` set. */
+#define CHOSEN_MAX 16
+int stages_parse(const char *name, bool segments, const struct stage *chosen[CHOSEN_MAX],
+                 struct error *error);
 
 #endif

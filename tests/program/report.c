@@ -65,7 +65,7 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_report = {
     "report", "-o DIR",
-    "Makes a page, DIR/index.html, on which to step through what the stages do: pictures and\n"
-    "their errors, one triangle pixel by pixel, swim, speed. Takes 10 to 40 seconds. In the\n"
-    "project's folder it has the stability table, too.",
-    OPTION_OUTPUT, OPTION_OUTPUT, run};
+    "Makes a page, DIR/index.html, on which to step through what the stages do:\n"
+    "pictures and their errors, one triangle pixel by pixel, swim, speed. Takes 10 to\n"
+    "40 seconds. In the project's folder it has the stability table, too.",
+    OPTION_FOLDER, OPTION_FOLDER, run};

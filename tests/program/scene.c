@@ -17,5 +17,6 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_scene = {
     "scene", "SOURCE -o FILE.tri",
-    "Writes a source's screen triangles as the stages get them: clipped, in drawing order.",
+    "Writes a source's screen triangles as the stages get them: clipped, in drawing\n"
+    "order.",
     OPTIONS_SOURCE | OPTION_OUTPUT, OPTION_OUTPUT, run};

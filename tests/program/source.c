@@ -2,6 +2,7 @@
 #include "tests/files/tri.h"
 #include "tests/program/source.h"
 
+#include <stdio.h>
 #include <string.h>
 #include "common/clip.h"
 
@@ -69,11 +70,20 @@ static bool load_textures(struct source *source, const char *name, struct error 
 
 bool source_open(struct source *source, const struct options *options, struct error *error)
 {
+    struct size own = options->size; /* the .tri file's, unless --size is given */
+
     *source = (struct source){.frame = options->frame, .size = options->size};
     if (choose(source, options, error) && load_textures(source, options->texture, error) &&
-        (source->scene != SCENE_COUNT || tri_read(source->name, &source->given, error)) &&
-        source_clip(source, 0, 0, error)) {
-        return true;
+        (source->scene != SCENE_COUNT ||
+         tri_read_sized(source->name, &source->given, &own.width, &own.height, error))) {
+        source->size = options->given & OPTION_SIZE ? options->size : own;
+        if (source_clip(source, 0, 0, error)) {
+            if (source->triangles.count == 0) {
+                fprintf(stderr, "texmap: %s: nothing of it is visible in a frame of %dx%d\n",
+                        source->name, source->size.width, source->size.height);
+            }
+            return true;
+        }
     }
     source_close(source);
     return false;

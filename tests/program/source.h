@@ -9,7 +9,7 @@ struct source {
     const char *name;               /* the scene's name, or the .tri file's path */
     enum scene_id scene;            /* SCENE_COUNT: a .tri file */
     int frame;                      /* the scene's */
-    struct size size;               /* the frame's, in pixels */
+    struct size size;               /* the frame's, in pixels; see tri_read_sized */
     struct triangle_list given;     /* the .tri file's; clipping takes from it */
     struct triangle_list triangles; /* what the stages draw: clipped, in drawing order */
     struct image textures[TEXTURE_COUNT];
@@ -17,7 +17,8 @@ struct source {
 };
 
 /* Loads what the options --scene, --frame, --triangles, --size and --texture name, and clips it
- * unshifted. On failure nothing is left to close. */
+ * unshifted. Where nothing is visible one line on standard error says so: a frame may stay empty. On
+ * failure nothing is left to close. */
 bool source_open(struct source *source, const struct options *options, struct error *error);
 
 /* Makes source->triangles anew, everything moved right and down by so many pixels first. */

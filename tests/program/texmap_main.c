@@ -66,11 +66,23 @@ static enum outcome run_help(const struct options *options, struct error *error)
     return OUTCOME_DONE;
 }
 
+static bool asks_for_help(const char *word)
+{
+    return word && (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0);
+}
+
 static enum outcome run(char **words, struct error *error)
 {
-    const struct command *command = command_find(words[0], error);
+    const struct options about = {.argument = words[0]};
     struct options options;
 
+    if (asks_for_help(words[0])) {
+        return run_help(&(struct options){0}, error);
+    }
+    const struct command *command = command_find(words[0], error);
+    if (command && asks_for_help(words[1])) {
+        return run_help(&about, error);
+    }
     if (!command || !options_parse(&options, command->name, words + 1, command->accepted,
                                    command->required, error)) {
         return OUTCOME_FAILED;

@@ -103,5 +103,5 @@ const struct command command_trace = {
     "Shows what a stage, 1 to 4, computed for one triangle: along its edges and in its pixels,\n"
     "with the exact answer beside them. With --csv or --json there, in place of the table;\n"
     "FILE - is standard output.",
-    OPTION_STAGE | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV | OPTION_JSON,
-    OPTION_STAGE, run};
+    OPTION_STAGE_TRACED | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV | OPTION_JSON,
+    OPTION_STAGE_TRACED, run};

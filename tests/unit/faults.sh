@@ -127,6 +127,9 @@ result 'a link stays, and what it points to is replaced and keeps its permission
 
 ln -s /dev/null link.ppm
 "$texmap" $render link.ppm 2> log && [ -L link.ppm ] && [ -c /dev/null ] || why="/dev/null: $(cat log)"
+ln -sf /dev/full link.ppm
+"$texmap" $render link.ppm 2> log
+[ $? -eq 2 ] && [ -L link.ppm ] && [ -c /dev/full ] || why="/dev/full: $(cat log)"
 mkfifo out/pipe.ppm
 cmp -s out/pipe.ppm a.ppm &
 "$texmap" $render out/pipe.ppm 2> log || why="a pipe: $(cat log)"

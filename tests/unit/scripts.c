@@ -63,3 +63,8 @@ void test_arithmetic(void)
 {
     check_script("sh tests/unit/arithmetic.sh");
 }
+
+void test_cli(void)
+{
+    check_script("sh tests/unit/cli.sh");
+}

@@ -18,6 +18,7 @@
     GROUP(raster, test_raster_random) \
     GROUP(raster, test_raster_whole) \
     GROUP(cli, test_cli) \
+    GROUP(cli, test_cli_many) \
     GROUP(cli, test_faults) \
     GROUP(exact, test_exact) \
     GROUP(gates, test_gates) \
@@ -43,10 +44,5 @@ TEST_GROUPS
 
 /* Writes tests/golden/ anew. On failure `error` says why. */
 bool golden_renew(struct error *error);
-
-/* The rest of the group `cli`: bad usage and input; slow and large input. Run in the folder that
- * cli_open made. */
-void test_cli_bad(void);
-void test_cli_slow(void);
 
 #endif

@@ -1,47 +1,10 @@
-/* Input that comes slowly or in bulk: pipes, and a million triangles. */
-#define _POSIX_C_SOURCE 200809L
+/* A million triangles in one file. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "tests/unit/check.h"
 #include "tests/unit/cli.h"
 #include "tests/unit/test.h"
-
-#define RENDER "render --stage 3 --size 64x48 "
-
-/* texmap reads from the pipe what cat writes to it. Should texmap not read at all, cat would wait
- * for ever: it is ended. */
-#define THROUGH_PIPE                                                                               \
-    "& texmap=$!; cat %s >%s & cat=$!; wait $texmap; status=$?; kill $cat 2>/dev/null; exit $status"
-
-static void test_pipes(void)
-{
-    bool ready = cli_write("slow.tri", "0 0 1 0 0\n60 0 2 90 0\n0 40 1 0 90\n") &&
-                 cli_write("slow.ppm", "P6 2 1 255 abcdef") && mkfifo("pipe", 0600) == 0 &&
-                 cli_write("bad.tri", "0 0 1 0 0\n60 0 2 90 0\n");
-
-    if (!check(ready, "files and a pipe to test with", "cannot be made")) {
-        return;
-    }
-    ready = cli_run(RENDER "--triangles slow.tri -o file.ppm") == 0;
-    int status = cli_run(RENDER "--triangles pipe -o piped.ppm " THROUGH_PIPE, "slow.tri", "pipe");
-    check(ready && status == 0 && cli_same("file.ppm", "piped.ppm"),
-          "triangles from a pipe are drawn as from a file", "status %d", status);
-    status = cli_run(RENDER "--triangles pipe -o refused.ppm " THROUGH_PIPE, "bad.tri", "pipe");
-    size_t size;
-    char *picture = cli_read("refused.ppm", &size);
-    check(status == 2 && !picture, "a bad .tri file is refused from a pipe too", "status %d",
-          status);
-    free(picture);
-    /* Its name must end in .ppm. */
-    ready = rename("pipe", "pipe.ppm") == 0 &&
-            cli_run(RENDER "--triangles slow.tri --texture slow.ppm -o file.ppm") == 0;
-    status = cli_run(RENDER "--triangles slow.tri --texture pipe.ppm -o piped.ppm "
-                     THROUGH_PIPE, "slow.ppm", "pipe.ppm");
-    check(ready && status == 0 && cli_same("file.ppm", "piped.ppm"),
-          "a texture from a pipe is used as from a file", "status %d", status);
-}
 
 #define MANY_SIDE 1000 /* pixels: a triangle for each */
 #define MANY_TRI "million.tri"
@@ -80,11 +43,11 @@ static bool is_right(const char *path)
     return right;
 }
 
-static void test_many(void)
+void test_cli_many(void)
 {
     size_t size;
 
-    if (!check(write_many(), "a file of a million triangles", "cannot be written")) {
+    if (!check(cli_open() && write_many(), "a file of a million triangles", "cannot be written")) {
         return;
     }
     int status = cli_run("render --stage 3 --triangles " MANY_TRI " --size 1000x1000 -o many.ppm");
@@ -102,11 +65,5 @@ static void test_many(void)
           status, text ? text : "");
     free(text);
     free(picture);
-    remove(MANY_TRI);
-}
-
-void test_cli_slow(void)
-{
-    test_pipes();
-    test_many();
+    cli_close();
 }
