@@ -42,7 +42,8 @@ define newline
 
 endef
 
-.PHONY: all test bench chart compare lesson exercise report golden readme pictures stability debug clean \
+.PHONY: all test bench chart compare lesson exercise report golden results readme pictures \
+	stability debug clean \
 	help test-page test-exercises test-long test-matrix test-contract test-aarch64 test-valgrind \
 	sanitize torture fuzz FORCE
 .SECONDEXPANSION:
@@ -149,6 +150,11 @@ golden: $(BUILD)/test
 #: make stability     the stability table and its curves, to tests/results/
 stability: $(BUILD)/stability
 	$(BUILD)/stability --csv tests/results/stability.csv --curves tests/results
+
+#: make results       tests/results/bench.csv and chart.svg, anew: two minutes of a quiet machine
+results: $(BUILD)/texmap
+	$(BUILD)/texmap bench --seconds 120 --csv tests/results/bench.csv
+	$(BUILD)/texmap chart tests/results/bench.csv -o tests/results/chart.svg
 
 #: make readme        the tables in the READMEs, anew from tests/results/ and what texmap prints
 readme: $(BUILD)/texmap

@@ -1,7 +1,6 @@
 /* The chart's page: the scene that tells most in a large panel, the others in small ones below. */
 #include <limits.h>
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 #include "tests/chart/chart.h"
 #include "tests/chart/plot.h"
@@ -18,6 +17,8 @@
 #define SMALL_GAP 50.0 /* between two small panels: the numbers along y */
 #define NOTES_TOP 766.0
 #define NOTE_HEIGHT 15.0 /* a line of the notes at the bottom */
+#define NOTE_LENGTH 160  /* characters */
+#define NOTES_MAX 24
 #define SAMPLE_WIDTH 30.0
 #define ARROW_GAP 7.0 /* between a mark and an arrow */
 
@@ -32,16 +33,6 @@ static const struct text_style text_style = {13, "start", "ink"};
 static const struct text_style soft_style = {12, "start", "soft"};
 static const struct text_style axis_style = {12, "end", "soft"};
 static const struct text_style segment_style = {12, "middle", "soft"};
-
-/* Appends printf-style to `text`, which has room for `size` characters; what is more is cut. */
-static void append(char *text, size_t size, const char *format, ...)
-{
-    size_t length = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + length, size - length, format, arguments);
-    va_end(arguments);
-}
 
 enum kind {
     ALL,      /* by time */
@@ -170,7 +161,7 @@ static void draw_curve(struct panel *panel, const struct series *segments)
     for (size_t i = 0; i < segments->count; i++) {
         points[i] = place(panel, segments->rows[i]);
     }
-    panel_polyline(panel, points, segments->count, "s2 curve");
+    svg_polyline(panel->out, points, segments->count, "s2 curve");
 }
 
 static void draw_marks(struct panel *panel, const struct chart *chart, const struct series *all)
@@ -194,16 +185,18 @@ static void label_stages(struct panel *panel, const struct series *stages, bool 
     for (size_t i = stages->count; i-- > 0;) {
         const struct chart_row *row = stages->rows[i];
         const bool coda = row->mark == 'C';
-        char name[64];
-        if (!large) {
-            snprintf(name, sizeof name, "%.*s", coda ? 4 : 1, coda ? row->stage : &row->mark);
-        } else if (coda) {
-            snprintf(name, sizeof name, "coda%s", is_exact(row) ? ": exact" : "");
-        } else {
-            snprintf(name, sizeof name, "%c %.20s", row->mark, row->stage + strlen("stage1_"));
+        char name[48], speed[32] = "";
+        if (first && row != first) {
+            snprintf(speed, sizeof speed, ", %.1fx", first->ns_per_pixel / row->ns_per_pixel);
         }
-        if (large && first && row != first) {
-            append(name, sizeof name, ", %.1fx", first->ns_per_pixel / row->ns_per_pixel);
+        if (coda) {
+            snprintf(name, sizeof name, "coda%s%s", large && is_exact(row) ? ": exact" : "",
+                     large ? speed : "");
+        } else if (large) {
+            snprintf(name, sizeof name, "%c %.20s%s", row->mark, row->stage + strlen("stage1_"),
+                     speed);
+        } else {
+            snprintf(name, sizeof name, "%c", row->mark);
         }
         panel_label(panel, place(panel, row), SVG_MARK_RADIUS,
                     &(struct text_style){large ? 14 : 12, "middle", coda ? "s1 bold" : "s0 bold"},
@@ -240,7 +233,7 @@ static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struc
     set_axes(&panel, &all, box, large ? 44 : 30);
     snprintf(band_label, sizeof band_label, "< 1/%.0f", 1 / panel.y.low);
     panel.band_label = band_label;
-    panel_begin(&panel, true);
+    panel_begin(&panel);
     draw_frontier(&panel, &scalar);
     draw_lookup(&panel, all.rows[0]->lookup, large);
     draw_curve(&panel, &segments);
@@ -259,45 +252,21 @@ static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struc
     }
 }
 
-/* The chart in words, for those who do not see it: the stages' numbers, scene by scene. */
-static void describe(const struct chart *chart, char *text, size_t size)
+/* What the file says of the machine, and what is not drawn; at most NOTES_MAX lines. */
+static size_t find_notes(const struct chart *chart, char notes[NOTES_MAX][NOTE_LENGTH])
 {
-    append(text, size, "Speed against accuracy of each stage.");
-    for (size_t scene = 0; scene < chart->scene_count; scene++) {
-        const struct series stages = select_rows(chart, scene, STAGES);
-        append(text, size, " Scene %.60s:", chart->scenes[scene]);
-        for (size_t i = 0; i < stages.count; i++) {
-            const struct chart_row *row = stages.rows[i];
-            append(text, size, " %.40s %.3g ns per pixel, position error %.2g texels, %.3g %% "
-                   "wrong texels;", row->stage, row->ns_per_pixel, row->position_rms,
-                   row->wrong_texel_pct);
-        }
+    size_t count = 0;
+    for (size_t i = 0; i < chart->csv->comment_count && count < NOTES_MAX; i++) {
+        snprintf(notes[count++], NOTE_LENGTH, "%s", chart->csv->comments[i]);
     }
-}
-
-/* What the file says of the machine, and what is not drawn. Returns where the next line stands;
- * with `out` NULL only measures. */
-static double draw_notes(FILE *out, const struct chart *chart, double y)
-{
-    for (size_t i = 0; i < chart->csv->comment_count; i++, y += NOTE_HEIGHT) {
-        if (out) {
-            svg_text(out, (struct point){LEFT, y}, &soft_style, chart->csv->comments[i]);
-        }
-    }
-    for (size_t i = 0; i < chart->row_count; i++) {
+    for (size_t i = 0; i < chart->row_count && count < NOTES_MAX; i++) {
         const struct chart_row *row = &chart->rows[i];
-        char note[160];
-        if (chart_has_mark(row)) {
-            continue;
-        }
-        if (out) {
-            snprintf(note, sizeof note, "Not measured: %.60s on %.60s.", row->stage,
+        if (!chart_has_mark(row)) {
+            snprintf(notes[count++], NOTE_LENGTH, "Not measured: %.60s on %.60s.", row->stage,
                      chart->scenes[row->scene]);
-            svg_text(out, (struct point){LEFT, y}, &soft_style, note);
         }
-        y += NOTE_HEIGHT;
     }
-    return y;
+    return count;
 }
 
 static void draw_legend(FILE *out, double x, double y)
@@ -352,21 +321,26 @@ static void draw_small(FILE *out, const struct chart *chart, size_t large)
 
 void chart_draw(FILE *out, const struct chart *chart)
 {
-    char description[16384] = "", title[96];
+    char title[96], notes[NOTES_MAX][NOTE_LENGTH];
+    const size_t note_count = find_notes(chart, notes);
     size_t large = 0;
     for (size_t i = 0; i < chart->scene_count; i++) {
         large = strcmp(chart->scenes[i], LARGE_SCENE) == 0 ? i : large;
     }
     const struct series stages = select_rows(chart, large, STAGES);
     find_title(&stages, title, sizeof title);
-    describe(chart, description, sizeof description);
-    svg_begin(out, PAGE_WIDTH, draw_notes(NULL, chart, NOTES_TOP), title, description);
+    svg_begin(out, PAGE_WIDTH, NOTES_TOP + NOTE_HEIGHT * (double)note_count, title,
+              "Time per pixel and position error of each stage, scene by scene. Each mark's title "
+              "has its numbers; the tables of texmap bench have all of them.");
     svg_text(out, (struct point){LEFT, 34}, &title_style, title);
     if (stages.count > 0) {
         draw_head(out, chart, &stages);
     }
     draw_panel(out, chart, large, (struct box){LEFT, LARGE_TOP, RIGHT, LARGE_BOTTOM}, true);
     draw_small(out, chart, large);
-    draw_notes(out, chart, NOTES_TOP);
+    for (size_t i = 0; i < note_count; i++) {
+        svg_text(out, (struct point){LEFT, NOTES_TOP + NOTE_HEIGHT * (double)i}, &soft_style,
+                 notes[i]);
+    }
     svg_end(out);
 }

@@ -80,14 +80,14 @@ size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX])
     return axis->log ? log_ticks(axis, room, ticks) : linear_ticks(axis, room, ticks);
 }
 
-static void draw_x_ticks(const struct panel *panel, struct box box, bool x_labels)
+static void draw_x_ticks(const struct panel *panel, struct box box)
 {
     struct tick ticks[TICKS_MAX];
     size_t count = axis_ticks(&panel->x, ticks);
     for (size_t i = 0; i < count; i++) {
         double x = axis_at(&panel->x, ticks[i].value);
         svg_line(panel->out, (struct point){x, box.y0}, (struct point){x, box.y1}, "grid");
-        if (x_labels && ticks[i].label[0] != '\0') {
+        if (ticks[i].label[0] != '\0') {
             svg_text(panel->out, (struct point){x, box.y1 + TICK_SIZE + 4},
                      &(struct text_style){TICK_SIZE, "middle", "soft"}, ticks[i].label);
         }
@@ -118,14 +118,14 @@ static void draw_y_ticks(const struct panel *panel, struct box box)
     }
 }
 
-void panel_begin(struct panel *panel, bool x_labels)
+void panel_begin(struct panel *panel)
 {
     struct box box = {panel->x.from, panel->y.to, panel->x.to, panel->y.from + panel->y.band};
     panel->taken_count = 0;
     if (panel->y.band > 0) {
         svg_rect(panel->out, (struct box){box.x0, panel->y.from, box.x1, box.y1}, "band");
     }
-    draw_x_ticks(panel, box, x_labels);
+    draw_x_ticks(panel, box);
     draw_y_ticks(panel, box);
     svg_rect(panel->out, box, "frame");
 }
@@ -133,12 +133,6 @@ void panel_begin(struct panel *panel, bool x_labels)
 struct point panel_at(const struct panel *panel, double x, double y)
 {
     return (struct point){axis_at(&panel->x, x), axis_at(&panel->y, y)};
-}
-
-void panel_polyline(struct panel *panel, const struct point *points, size_t count,
-                    const char *class)
-{
-    svg_polyline(panel->out, points, count, class);
 }
 
 void panel_take(struct panel *panel, struct box box)

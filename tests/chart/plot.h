@@ -39,9 +39,8 @@ struct panel {
     size_t taken_count;
 };
 
-/* Draws background, grid and tick labels, those of x only if `x_labels`. All but what is taken must
- * be set. */
-void panel_begin(struct panel *panel, bool x_labels);
+/* Draws background, grid and tick labels. All but what is taken must be set. */
+void panel_begin(struct panel *panel);
 
 /* Where a pair of values stands. */
 struct point panel_at(const struct panel *panel, double x, double y);
@@ -49,9 +48,7 @@ struct point panel_at(const struct panel *panel, double x, double y);
 /* Keeps labels off a box. */
 void panel_take(struct panel *panel, struct box box);
 
-/* Draws what is there. Points are pixels. Labels keep off marks. */
-void panel_polyline(struct panel *panel, const struct point *points, size_t count,
-                    const char *class);
+/* Draws a mark, a point in pixels. Labels keep off it. */
 void panel_mark(struct panel *panel, struct point at, int series, bool filled,
                 const char *tooltip);
 

@@ -41,7 +41,7 @@ static void draw_series(struct panel *panel, const struct curve *curve, int numb
             }
         } else {
             if (line && count > 1) {
-                panel_polyline(panel, points, count, class);
+                svg_polyline(panel->out, points, count, class);
             }
             count = 0;
         }
@@ -126,7 +126,7 @@ void curve_draw(FILE *file, const struct curve *curve)
              curve->y_name);
     svg_text(file, (struct point){(LEFT + RIGHT) / 2, BOTTOM + panel.y.band + 40},
              &(struct text_style){TEXT, "middle", "soft"}, curve->x_name);
-    panel_begin(&panel, true);
+    panel_begin(&panel);
     for (int i = 0; i < curve->count; i++) {
         if (first_alike(&panel, curve, i) == i) {
             draw_series(&panel, curve, i);
