@@ -1,16 +1,14 @@
 #!/bin/sh
-# tests/cases/table.sh: the stability table as Markdown, a row a case. What a case says of itself is
-# in the comment at its head, its numbers are in tests/results/stability.csv, from make stability.
+# tests/cases/table.sh: the stability table as Markdown, a row a case. What happens in it is said at
+# the head of its file, its numbers are in tests/results/stability.csv, from make stability.
 
 awk -F, '
     # Of the file that is being read: the comment`s parts.
     function head(line) {
         sub(/^# ?/, "", line)
-        if (line ~ /^size [0-9]/ || (measure[name] && !why[name] && line !~ /^why: /)) return
         if (line ~ /^measure: /) measure[name] = substr(line, 10)
-        else if (measure[name]) why[name] = why[name] (why[name] ? " " : "") line
-        else text[name] = text[name] (text[name] ? " " : "") line
-        sub(/^why: /, "", why[name])
+        else if (!measure[name] && line !~ /^size [0-9]/)
+            text[name] = text[name] (text[name] ? " " : "") line
     }
     FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/[.]tri$/, "", name) }
     FILENAME ~ /[.]tri$/ { if (/^#/) head($0); else nextfile }
@@ -23,18 +21,18 @@ awk -F, '
         known[$at["stage"]]
         bold = $at["verdict"] == "holds" ? "" : "**"
         cell[$at["case"], $at["stage"]] = $at["value"] == "" ? "-" \
-            : bold sprintf("%.3g", $at["value"]) bold
+            : bold sprintf($at["value"] < 1000 ? "%.3g" : "%d", $at["value"]) bold
     }
     END {
         printf "| case | what happens | measured |"
         for (i = 1; i <= stage_count; i++) printf " %s |", stages[i]
-        printf " why these numbers |\n|---|---|---|"
+        printf "\n|---|---|---|"
         for (i = 1; i <= stage_count; i++) printf "---:|"
-        printf "---|\n"
+        printf "\n"
         for (k = 1; k <= count; k++) {
             name = rows[k]
             printf "| [%s](%s.tri) | %s | %s, %s |", name, name, text[name], measure[name], unit[name]
             for (i = 1; i <= stage_count; i++) printf " %s |", cell[name, stages[i]]
-            printf " %s |\n", why[name]
+            printf "\n"
         }
     }' tests/cases/*.tri tests/results/stability.csv
