@@ -9,19 +9,16 @@
 #include "tests/files/file.h"
 
 #define LINE_SIZE 16384          /* bytes that a line may have, its newline included */
-#define CHUNK_SIZE (4 * LINE_SIZE)
 #define BYTE_ORDER_MARK "\xEF\xBB\xBF" /* some editors begin a file with it */
 #define VALUE_SHOWN 40           /* characters of a number that an error quotes at most */
 
-/* Hands out lines of large reads. fgets would hide a NUL byte. */
 struct reader {
     FILE *file;
     const char *path;
     struct error *error;
     size_t line;               /* the current line's number, from 1 */
     int width, height;         /* of the frame, as the file says; 0: it does not */
-    size_t begin, end;         /* of the bytes read and not yet handed out */
-    char bytes[CHUNK_SIZE + 1]; /* and a NUL behind a last line without its newline */
+    char text[LINE_SIZE];      /* of that line */
 };
 
 static const struct field {
@@ -38,19 +35,6 @@ static const struct field {
 static bool fail(const struct reader *reader, const char *what)
 {
     return error_set(reader->error, "%s:%zu: %s", reader->path, reader->line, what);
-}
-
-/* Moves what is not yet handed out to the front and reads on behind it. False at the file's end. */
-static bool refill(struct reader *reader)
-{
-    reader->end -= reader->begin;
-    memmove(reader->bytes, reader->bytes + reader->begin, reader->end);
-    reader->begin = 0;
-
-    size_t count = fread(reader->bytes + reader->end, 1, CHUNK_SIZE - reader->end, reader->file);
-
-    reader->end += count;
-    return count > 0;
 }
 
 /* Takes the frame's size from a comment `# size WxH`, and blanks it as any comment. */
@@ -71,40 +55,36 @@ static bool read_size(struct reader *reader, char *comment)
     return true;
 }
 
-/* Sets `line` to the next line without its newline and comment, or to NULL after the last. */
-static bool read_line(struct reader *reader, char **line)
+/* Reads the next line into `text`, without its newline and comment; *there is false after the last.
+ * Byte by byte: fgets would hide a NUL. */
+static bool read_line(struct reader *reader, bool *there)
 {
-    char *newline = memchr(reader->bytes + reader->begin, '\n', reader->end - reader->begin);
+    size_t length = 0;
+    int byte = getc(reader->file);
 
-    while (!newline && reader->end - reader->begin < LINE_SIZE && refill(reader)) {
-        newline = memchr(reader->bytes, '\n', reader->end);
+    *there = byte != EOF;
+    reader->line += *there;
+    for (; byte != EOF && byte != '\n'; byte = getc(reader->file)) {
+        if (byte == '\0') {
+            return fail(reader, "a NUL byte, so this is no text");
+        }
+        if (length == LINE_SIZE - 1) {
+            return fail(reader, "the line is too long");
+        }
+        reader->text[length++] = (char)byte;
     }
     if (ferror(reader->file)) {
         return error_set(reader->error, "%s: %s", reader->path, strerror(errno));
     }
-    *line = reader->bytes + reader->begin;
-    size_t length = newline ? (size_t)(newline - *line) : reader->end - reader->begin;
-
-    if (length == 0 && !newline) {
-        *line = NULL;
-        return true;
+    reader->text[length] = '\0';
+    if (reader->line == 1 && strncmp(reader->text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0) {
+        memmove(reader->text, reader->text + strlen(BYTE_ORDER_MARK),
+                length + 1 - strlen(BYTE_ORDER_MARK));
     }
-    reader->line++;
-    if (length >= LINE_SIZE) {
-        return fail(reader, "the line is too long");
+    if (reader->text[0] == '#') {
+        return read_size(reader, reader->text);
     }
-    if (memchr(*line, '\0', length)) {
-        return fail(reader, "a NUL byte, so this is no text");
-    }
-    reader->begin += length + (newline ? 1 : 0);
-    (*line)[length] = '\0';
-    if (reader->line == 1 && strncmp(*line, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0) {
-        *line += strlen(BYTE_ORDER_MARK);
-    }
-    if ((*line)[0] == '#') {
-        return read_size(reader, *line);
-    }
-    (*line)[strcspn(*line, "#")] = '\0';
+    reader->text[strcspn(reader->text, "#")] = '\0';
     return true;
 }
 
@@ -166,17 +146,17 @@ static bool read_triangles(struct reader *reader, struct triangle_list *list)
 {
     struct triangle triangle = {.texture = TEXTURE_COORD};
     int vertices = 0; /* of the triangle begun */
-    char *line = NULL;
+    bool there;
 
-    while (read_line(reader, &line)) {
-        if (!line) {
+    while (read_line(reader, &there)) {
+        if (!there) {
             return vertices == 0 ||
                    fail(reader, "the file ends inside a triangle: three vertices are one");
         }
-        if (*skip_space(line) == '\0') {
+        if (*skip_space(reader->text) == '\0') {
             continue;
         }
-        if (!parse_vertex(reader, line, &triangle.v[vertices])) {
+        if (!parse_vertex(reader, reader->text, &triangle.v[vertices])) {
             return false;
         }
         vertices = (vertices + 1) % 3;
@@ -197,17 +177,12 @@ bool tri_read(const char *path, struct triangle_list *list, struct error *error)
 bool tri_read_sized(const char *path, struct triangle_list *list, int *width, int *height,
                     struct error *error)
 {
-    struct reader reader;
+    struct reader reader = {.file = fopen(path, "rb"), .path = path, .error = error};
 
-    reader.file = fopen(path, "rb");
     if (!reader.file) {
         triangle_list_destroy(list);
         return error_set(error, "%s: %s", path, strerror(errno));
     }
-    reader.path = path;
-    reader.error = error;
-    reader.line = reader.begin = reader.end = 0;
-    reader.width = reader.height = 0;
     bool done = read_triangles(&reader, list);
 
     fclose(reader.file);
@@ -231,7 +206,6 @@ bool tri_write(const char *path, const struct triangle_list *list, struct error 
     for (size_t i = 0; i < list->count && !ferror(file); i++) {
         for (int k = 0; k < 3; k++) {
             const struct vertex *v = &list->items[i].v[k];
-
             fprintf(file, "%.9g %.9g %.9g %.9g %.9g\n", v->x, v->y, v->z, v->u, v->v);
         }
     }
