@@ -13,11 +13,12 @@
  * over both axes, sqrt(du^2 + dv^2). Scaled u and v are floats: up to 2^-17 texel of it is theirs.
  *
  * A frame is judged as a whole, as the painter leaves it. The exact answer shows one surface in
- * each pixel (tests/exact/surface.h). Where the stage shows the same surface, though another triangle of
- * it, texel and position are compared: that is what rounded vertices cost. Where it shows another
- * surface, at the crate's silhouette for instance, the distance between two textures says nothing
- * about mapping: the pixel counts as missing from the one and extra on the other. Which surface a
- * stage shows is seen by drawing each triangle with a texture of one texel: its number. */
+ * each pixel (tests/exact/surface.h). Where the stage shows the same surface, though another
+ * triangle of it, texel and position are compared: that is what rounded vertices cost. Where it
+ * shows another surface, at the crate's silhouette for instance, the distance between two textures
+ * says nothing about mapping: the pixel counts as missing from the one and extra on the other.
+ * Which surface a stage shows is seen by drawing each triangle with a texture of one texel: its
+ * number. */
 #ifndef TESTS_ACCURACY_H
 #define TESTS_ACCURACY_H
 

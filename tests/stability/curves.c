@@ -5,6 +5,7 @@
 #include <string.h>
 #include "tests/exact/jitter.h"
 #include "tests/files/file.h"
+#include "tests/program/progress.h"
 #include "tests/stability/stability.h"
 
 static struct series *series_add(struct curve *curve, const char *name, int style, bool bound)
@@ -224,11 +225,13 @@ static bool write_file(const char *folder, const struct curve *curve, const char
 bool curves_write(const char *folder, struct error *error)
 {
     for (int i = 0; i < CURVES; i++) {
+        progress("stability: curves", (double)i / CURVES);
         const struct curve *curve = curve_measure(curves[i].name, error);
         if (!curve || !write_file(folder, curve, ".csv", write_csv, error) ||
             !write_file(folder, curve, ".svg", curve_draw, error)) {
             return false;
         }
     }
+    progress(NULL, 0);
     return true;
 }
