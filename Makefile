@@ -53,7 +53,7 @@ all: $(BUILD)/texmap
 	@sh tests/lessons/room.sh $(BUILD)
 
 #: make test          every test; ends with `N passed, N failed`
-test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/mistake $(BUILD)/memory
+test: $(BUILD)/texmap $(BUILD)/test $(BUILD)/memory
 	@$(BUILD)/test
 
 #: make lesson N=2    what changed from stage 1 to stage 2: source, picture, accuracy and speed

@@ -115,7 +115,8 @@ bool bench_open(struct bench *bench, const struct bench_choice *choice, struct e
 }
 
 /* The rows of one scene. */
-static bool judge_scene(struct meter *meter, struct gate *gate, struct bench_row *rows, int count)
+static bool judge_scene(struct meter *meter, struct judge *judge, struct bench_row *rows,
+                        int count)
 {
     const struct stage *chosen[BENCH_STAGES_MAX] = {NULL};
     struct accuracy accuracy[BENCH_STAGES_MAX];
@@ -130,8 +131,7 @@ static bool judge_scene(struct meter *meter, struct gate *gate, struct bench_row
         struct bench_row *row = &rows[i];
         row->accuracy = accuracy[i];
         row->judged = true;
-        row->wrong = !gate_holds(gate, row->source, row->stage, &row->accuracy, &row->pixels,
-                                 &row->why);
+        row->wrong = !gate_holds(judge, row->source, row->stage, &row->pixels, &row->why);
     }
     return true;
 }
@@ -140,19 +140,19 @@ bool bench_judge(struct bench *bench, double deadline, struct error *error)
 {
     const int stages = bench->row_count / bench->source_count;
     struct meter meter = {0};
-    struct gate gate = {0};
+    struct judge judge = {.count = 0};
     bool measured = meter_create(&meter, bench->size.width, bench->size.height) &&
-                    gate_create(&gate, &meter);
+                    judge_create(&judge);
 
     double now = bench_clock(), longest = 0; /* that a scene took */
     for (int i = 0; measured && i < bench->source_count && now + longest < deadline; i++) {
         progress("bench: accuracy", (double)i / bench->source_count);
-        measured = judge_scene(&meter, &gate, bench->rows + i * stages, stages);
+        measured = judge_scene(&meter, &judge, bench->rows + i * stages, stages);
         longest = fmax(longest, bench_clock() - now);
         now = bench_clock();
     }
     progress(NULL, 0);
-    gate_destroy(&gate);
+    judge_destroy(&judge);
     meter_destroy(&meter);
     return measured || error_set(error, "bench: no memory");
 }

@@ -25,6 +25,11 @@ bool random_seed(uint64_t *seed)
     return true;
 }
 
+void random_use_seed(uint64_t seed)
+{
+    run_seed = seed;
+}
+
 static uint64_t mix(uint64_t bits)
 {
     bits = (bits ^ (bits >> 30)) * MIX_1;
@@ -34,13 +39,21 @@ static uint64_t mix(uint64_t bits)
 
 struct random random_start(uint64_t stream)
 {
-    return (struct random){mix(run_seed) ^ mix(stream + GOLDEN_GAMMA)};
+    return (struct random){.state = mix(run_seed) ^ mix(stream + GOLDEN_GAMMA)};
 }
 
 uint32_t random_bits(struct random *random)
 {
-    random->state += GOLDEN_GAMMA;
-    return (uint32_t)(mix(random->state) >> 32);
+    uint32_t bits = 0;
+
+    if (!random->bytes) {
+        random->state += GOLDEN_GAMMA;
+        return (uint32_t)(mix(random->state) >> 32);
+    }
+    for (int shift = 24; shift >= 16 && random->size > 0; shift -= 8, random->size--) {
+        bits |= (uint32_t)*random->bytes++ << shift;
+    }
+    return bits;
 }
 
 int random_int(struct random *random, int low, int high)

@@ -1,23 +1,24 @@
-/* libFuzzer's target for the stages: the bytes choose a valid triangle, which must be drawn as
- * promised by every stage (tests/judge/promises.h). */
+/* libFuzzer's target for the stages: the bytes choose a kind and a valid triangle of it, or a mesh,
+ * which every stage must draw as it promises (tests/judge/judge.h). */
 #include <stdio.h>
 #include <stdlib.h>
-#include "tests/judge/promises.h"
+#include "tests/judge/judge.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static struct promises promises; /* made once: its textures take long to fill */
-    struct promises_case made;
-    char text[PROMISES_TEXT];
+    static struct judge judge; /* made once: its texture takes long to fill */
+    struct random random = {.bytes = bytes + 1, .size = size > 0 ? size - 1 : 0};
+    struct judge_case one = {.number = size};
+    char text[JUDGE_TEXT];
 
-    if (!promises.rows && !promises_create(&promises)) {
+    if (!judge.all && !judge_create(&judge)) {
         perror("fuzz");
         exit(2);
     }
-    promises_decode(&promises, bytes, size, &made);
-    if (!promises_hold(&promises, &made, text)) {
+    case_of_kind(&one, (enum kind)(size > 0 ? bytes[0] % KIND_COUNT : 0), &random);
+    if (!judge_stages(&judge, &one, text)) {
         fprintf(stderr, "%s\n", text);
         abort();
     }

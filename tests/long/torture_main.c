@@ -1,101 +1,70 @@
-/* build/torture [--seed S] [--count N]: random valid triangles through every stage, each held
- * against what it is promised (tests/judge/promises.h). Exit status 0: all held; 1: one did not, it is
- * printed as a .tri file; 2: bad usage. */
+/* build/torture [--seed S] [--first K] [--count N]: random triangles through every stage, each held
+ * to what it is promised (tests/judge/). Exit status 0: all held; 1: one did not, it is printed as a
+ * .tri file; 2: bad usage. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "tests/unit/check.h"
-#include "tests/judge/promises.h"
+#include "tests/judge/judge.h"
 
 #define COUNT_DEFAULT 1000000
-#define PROGRESS_SECONDS 5
-#define PROGRESS_CHECK 4096 /* triangles from one look at the clock to the next */
+#define PROGRESS 1000000 /* triangles from one line to the next */
 
-static bool parse(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 10);
-    return errno == 0 && *text >= '0' && *text <= '9' && *end == '\0';
-}
-
-static bool parse_all(char **words, uint64_t *seed, uint64_t *count)
+static bool parse(char **words, uint64_t *seed, uint64_t *first, uint64_t *count)
 {
     for (; *words; words += 2) {
         uint64_t *number = strcmp(*words, "--seed") == 0    ? seed
+                           : strcmp(*words, "--first") == 0 ? first
                            : strcmp(*words, "--count") == 0 ? count
                                                             : NULL;
-        if (!number || !words[1] || !parse(words[1], number)) {
+        char *end;
+        errno = 0;
+        if (!number || !words[1] || *words[1] < '0' || *words[1] > '9') {
+            return false;
+        }
+        *number = strtoull(words[1], &end, 10);
+        if (errno != 0 || *end != '\0') {
             return false;
         }
     }
     return true;
 }
 
-static void report(uint64_t done, time_t start)
-{
-    static time_t last;
-    const time_t now = time(NULL);
-
-    last = last ? last : start;
-    if (now - last >= PROGRESS_SECONDS) {
-        last = now;
-        printf("%" PRIu64 " triangles in %.0f s\n", done, difftime(now, start));
-        fflush(stdout);
-    }
-}
-
-/* Case number k has chances of its own, so that it can be seen again without those before it. */
-static bool try_case(struct promises *promises, uint64_t seed, uint64_t k)
-{
-    struct random random = {seed ^ k << 32};
-    uint8_t bytes[PROMISES_BYTES];
-    struct promises_case made;
-    char text[PROMISES_TEXT];
-
-    for (int i = 0; i < PROMISES_BYTES; i += 4) {
-        const uint32_t bits = random_bits(&random);
-        memcpy(bytes + i, &bits, sizeof bits);
-    }
-    promises_decode(promises, bytes, sizeof bytes, &made);
-    if (promises_hold(promises, &made, text)) {
-        return true;
-    }
-    printf("seed %" PRIu64 ", triangle %" PRIu64 ": %s\n", seed, k, text);
-    return false;
-}
-
 int main(int argc, char **argv)
 {
-    uint64_t seed = 1, count = COUNT_DEFAULT;
-    struct promises promises;
+    uint64_t seed = 1, first = 0, count = COUNT_DEFAULT, done = 0;
     const time_t start = time(NULL);
-    bool holds = true;
+    struct judge judge;
+    struct judge_case one;
+    char text[JUDGE_TEXT] = "";
 
     (void)argc;
-    if (!parse_all(argv + 1, &seed, &count)) {
-        fprintf(stderr, "usage: torture [--seed S] [--count N]\n");
+    if (!parse(argv + 1, &seed, &first, &count)) {
+        fprintf(stderr, "usage: torture [--seed S] [--first K] [--count N]\n");
         return 2;
     }
-    if (!promises_create(&promises)) {
+    random_use_seed(seed);
+    if (!judge_create(&judge)) {
         fprintf(stderr, "torture: no memory\n");
         return 2;
     }
-    printf("seed %" PRIu64 "\n", seed);
-    for (uint64_t k = 0; holds && k < count; k++) {
-        holds = try_case(&promises, seed, k);
-        if (k % PROGRESS_CHECK == 0) {
-            report(k, start);
+    for (uint64_t k = first; done < count; k++) {
+        case_make(&one, k);
+        if (!judge_stages(&judge, &one, text)) {
+            printf("%s\n# again: build/torture --seed %" PRIu64 " --first %" PRIu64
+                   " --count 1\n", text, seed, k);
+            return 1;
         }
+        if (done / PROGRESS != (done + (uint64_t)one.count) / PROGRESS) {
+            printf("%" PRIu64 " triangles in %.0f s\n", done, difftime(time(NULL), start));
+            fflush(stdout);
+        }
+        done += (uint64_t)one.count;
     }
-    promises_destroy(&promises);
-    if (holds) {
-        printf("seed %" PRIu64 ": %" PRIu64 " triangles in %.0f s, every promise held\n", seed,
-               count, difftime(time(NULL), start));
-    }
-    return holds ? 0 : 1;
+    judge_destroy(&judge);
+    printf("seed %" PRIu64 ": %" PRIu64 " triangles in %.0f s, every promise held\n", seed, done,
+           difftime(time(NULL), start));
+    return 0;
 }

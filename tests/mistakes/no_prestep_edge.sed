@@ -1,3 +1,3 @@
-# stage3_fixed28_4/rasterize.c: coverage is exact for the rounded vertices, every shift
+# stage3_fixed28_4/rasterize.c: gates: stage3_fixed28_4: every promise holds: ordinary
 # The edge starts at its corner, not where it crosses the first scanline.
 s/const int prestep_y = .*;/const int prestep_y = 0;/

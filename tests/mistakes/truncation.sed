@@ -1,3 +1,3 @@
-# stage2_dda/rasterize.c: coverage is exact for the rounded vertices
+# stage2_dda/rasterize.c: gates: stage2_dda: every promise holds: ordinary
 # C's division, which cuts toward zero, for floor.
 s/ - (numerator % denominator < 0)//

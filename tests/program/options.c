@@ -214,7 +214,7 @@ int stages_parse(const char *name, bool segments, const struct stage *chosen[CHO
 
 const struct stage *stage_parse(const char *option, const char *name, struct error *error)
 {
-    static const struct stage exact = {"exact", NULL, exact_draw_triangle, 1, 0, false};
+    static const struct stage exact = {"exact", NULL, exact_draw_triangle, .segment_length = 1};
     const struct stage *stage = strcmp(name, exact.name) == 0 ? &exact : stage_find(name);
 
     if (!stage) {

@@ -4,21 +4,43 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Stages 1 to 4 once more, built for `texmap trace`. */
+draw_triangle trace1_draw_triangle, trace2_draw_triangle, trace3_draw_triangle,
+    trace4_draw_triangle;
+/* Stage 4's source built with another SEGMENT_LENGTH; segment_span: one segment a span. */
+draw_triangle segment_4_draw_triangle, segment_8_draw_triangle, segment_32_draw_triangle,
+    segment_64_draw_triangle, segment_span_draw_triangle;
+
+/* Planes in double; segments in float and 16.16, of which the tie is a position. */
+#define SUBDIVIDED .grid = 16, .rounding = 0x1p-53, .tie = 0x1p-16
+
 static struct stage table[] = {
-    {"stage1_float", "1", stage1_draw_triangle, 1, 0, true},
-    {"stage2_dda", "2", stage2_draw_triangle, 1, 1, true},
-    {"stage3_fixed28_4", "3", stage3_draw_triangle, 1, 16, false},
-    {"stage4_subdivide", "4", stage4_draw_triangle, 16, 16, false},
+    {"stage1_float", "1", stage1_draw_triangle, trace1_draw_triangle,
+     .grid = 0, .segment_length = 1, .truncates = true, .promises = 0, .rounding = 0x1p-24},
+    {"stage2_dda", "2", stage2_draw_triangle, trace2_draw_triangle,
+     .grid = 1, .segment_length = 1, .truncates = true, .promises = COVERAGE, .rounding = 0x1p-24},
+    {"stage3_fixed28_4", "3", stage3_draw_triangle, trace3_draw_triangle,
+     .grid = 16, .segment_length = 1,
+     .promises = COVERAGE | OWN_RANGE | TEXELS | RARELY_WRONG,
+     .rounding = 0x1p-53, .tie = 0x1p-15},
+    {"stage4_subdivide", "4", stage4_draw_triangle, trace4_draw_triangle, SUBDIVIDED,
+     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS},
 #ifdef TEXMAP_STAGE5
-    {"stage5_asm", "5", stage5_draw_triangle, 16, 16, false},
+    {"stage5_asm", "5", stage5_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS, .twin = "stage4_subdivide"},
 #endif
-    {"segment_4", NULL, segment_4_draw_triangle, 4, 16, false},
-    {"segment_8", NULL, segment_8_draw_triangle, 8, 16, false},
-    {"segment_32", NULL, segment_32_draw_triangle, 32, 16, false},
-    {"segment_64", NULL, segment_64_draw_triangle, 64, 16, false},
-    {"segment_span", NULL, segment_span_draw_triangle, 0, 16, false},
-    {NULL, NULL, NULL, 0, 0, false}, /* the coda's place */
-    {NULL, NULL, NULL, 0, 0, false},
+    {"segment_4", NULL, segment_4_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 4, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},
+    {"segment_8", NULL, segment_8_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 8, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},
+    {"segment_32", NULL, segment_32_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 32, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},
+    {"segment_64", NULL, segment_64_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 64, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},
+    {"segment_span", NULL, segment_span_draw_triangle, NULL, SUBDIVIDED,
+     .segment_length = 0, .promises = COVERAGE | TEXELS, .variant = true},
+    {.name = NULL}, /* the coda's place */
+    {.name = NULL},
 };
 
 const struct stage *const stages = table;
@@ -42,7 +64,8 @@ __attribute__((constructor)) static void add_coda(void)
                 __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
     if (available) {
         table[sizeof table / sizeof table[0] - 2] =
-            (struct stage){"coda", NULL, coda_draw_triangle, 1, 16, false};
+            (struct stage){"coda", NULL, coda_draw_triangle, NULL, .grid = 16,
+                           .segment_length = 1, .promises = COVERAGE | OWN_RANGE, .rounding = 1};
     }
 }
 #endif

@@ -6,25 +6,11 @@
 #include <string.h>
 #include "common/clip.h"
 
-/* The stages' own sources, built a second time. */
-draw_triangle trace1_draw_triangle, trace2_draw_triangle, trace3_draw_triangle,
-    trace4_draw_triangle;
-
-static draw_triangle *const traced[] = {trace1_draw_triangle, trace2_draw_triangle,
-                                        trace3_draw_triangle, trace4_draw_triangle};
-#define TRACED_COUNT 4
 #define BORDER 1e-6 /* texels: on a border between two, either is right */
-
-/* Stages 1 to 4 alone have a digit that traced[] knows. */
-static int traced_index(const struct stage *stage)
-{
-    const int digit = stage->digit ? stage->digit[0] - '1' : -1;
-    return digit < TRACED_COUNT ? digit : -1;
-}
 
 bool trace_available(const struct stage *stage, const char *option, struct error *error)
 {
-    if (traced_index(stage) >= 0) {
+    if (stage->traced) {
         return true;
     }
     if (strcmp(stage->name, "exact") == 0) {
@@ -94,7 +80,7 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
 {
     struct image numbers = {0};
 
-    assert(traced_index(stage) >= 0);
+    assert(stage->traced);
     *trace = (struct trace){.stage = stage, .number = traced_index(stage), .row = TRACE_ALL_ROWS,
                             .texture = {texture->width, texture->height, texture->width, NULL}};
     bool done = clip(trace, triangle, width, height) &&

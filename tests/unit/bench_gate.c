@@ -42,13 +42,23 @@ static void draw_half_with_texture(struct image *frame, const struct image *text
     }
 }
 
+static void draw_affine(struct image *frame, const struct image *texture, const struct vertex v[3])
+{
+    stage_find("segment_span")->draw(frame, texture, v);
+}
+
+/* What stages 3 and 4 promise. */
+#define THREE .grid = 16, .segment_length = 1, .promises = COVERAGE | TEXELS, .rounding = 0x1p-53
+#define FOUR .grid = 16, .segment_length = 16, .promises = COVERAGE | TEXELS, .rounding = 0x1p-53
+
 static const struct stage fakes[] = {
-    {"no row", NULL, draw_without_row, 16, 16, false},
-    {"a texel off", NULL, draw_one_off, 1, 16, false},
-    {"no row but in numbers", NULL, draw_half_with_texture, 16, 16, false},
-    {"stage 3 as stage 5", "5", stage3_draw_triangle, 16, 16, false},
-    {"stage 2 as stage 3", NULL, stage2_draw_triangle, 1, 16, true},
-    {"affine as stage 4", NULL, segment_span_draw_triangle, 16, 16, false},
+    {"no row", NULL, draw_without_row, NULL, FOUR},
+    {"a texel off", NULL, draw_one_off, NULL, THREE},
+    {"no row but in numbers", NULL, draw_half_with_texture, NULL, FOUR},
+    {"stage 3 as stage 4's twin", NULL, stage3_draw_triangle, NULL, FOUR,
+     .twin = "stage4_subdivide"},
+    {"stage 2 as stage 3", NULL, stage2_draw_triangle, NULL, THREE},
+    {"affine as stage 4", NULL, draw_affine, NULL, FOUR},
 };
 
 #define FAKE_COUNT ((int)(sizeof fakes / sizeof fakes[0]))

@@ -108,11 +108,11 @@ static void draw_rounded(struct image *frame, const struct image *texture,
     exact_draw_triangle(frame, texture, rounded);
 }
 
-const struct stage fake_exact = {"exact", NULL, exact_draw_triangle, 1, 0, false};
-const struct stage fake_cut = {"cut", NULL, draw_cut, 1, 0, true};
-const struct stage fake_ties_down = {"ties down", NULL, draw_ties_down, 1, 0, false};
-const struct stage fake_loose = {"loose", NULL, draw_loose, 1, 0, false};
-const struct stage fake_one_missed = {"one missed", NULL, draw_one_missed, 1, 0, false};
-const struct stage fake_moved = {"moved", NULL, draw_moved, 1, 0, false};
-const struct stage fake_rounded = {"rounded", NULL, draw_rounded, 1, 16, false};
-const struct stage fake_near_moved = {"near moved", NULL, draw_near_moved, 1, 0, false};
+const struct stage fake_exact = {"exact", NULL, exact_draw_triangle, .segment_length = 1};
+const struct stage fake_cut = {"cut", NULL, draw_cut, .segment_length = 1, .truncates = true};
+const struct stage fake_ties_down = {"ties down", NULL, draw_ties_down, .segment_length = 1};
+const struct stage fake_loose = {"loose", NULL, draw_loose, .segment_length = 1};
+const struct stage fake_one_missed = {"one missed", NULL, draw_one_missed, .segment_length = 1};
+const struct stage fake_moved = {"moved", NULL, draw_moved, .segment_length = 1};
+const struct stage fake_rounded = {"rounded", NULL, draw_rounded, .segment_length = 1, .grid = 16};
+const struct stage fake_near_moved = {"near moved", NULL, draw_near_moved, .segment_length = 1};

@@ -102,10 +102,10 @@ static void check_figures(const struct accuracy accuracy[4])
 void test_exact_jitter(void)
 {
     static const struct stage fakes[] = {
-        {"exact", NULL, exact_draw_triangle, 1, 0, false},
-        {"swimming", NULL, draw_swimming, 1, 0, false},
-        {"off steadily", NULL, draw_off, 1, 0, false},
-        {"blinking", NULL, draw_blinking, 1, 0, false},
+        {"exact", NULL, exact_draw_triangle, .segment_length = 1},
+        {"swimming", NULL, draw_swimming, .segment_length = 1},
+        {"off steadily", NULL, draw_off, .segment_length = 1},
+        {"blinking", NULL, draw_blinking, .segment_length = 1},
     };
     const struct stage *const stages_of[] = {&fakes[0], &fakes[1], &fakes[2], &fakes[3]};
     struct accuracy accuracy[4];

@@ -1,54 +1,168 @@
-/* The group `gates`: each stage against what it promises about its own grid. */
-#include "tests/unit/gates.h"
-
+/* The group `gates`: random triangles, and those of the scenes, against what each stage promises.
+ * TEXMAP_STAGE=NAME tries one stage alone, TEXMAP_CASE=K the case of that number alone. */
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include "common/scene.h"
+#include "tests/judge/judge.h"
+#include "tests/unit/check.h"
 #include "tests/unit/test.h"
 
 #define NAME_LENGTH 160
+#define WHAT_LENGTH 80
+#define CASES 500           /* of each kind */
+#define HALF_SIZE_CASES 2000
+#define FAIR_PIXELS 2000000 /* half of them in triangles as thin as a fair one may be */
+#define WRONG_PARTS 1000    /* at most one wrong pixel in so many */
+#define LARGEST_CASES 4
+#define SHIFT_ONE 64        /* places a pixel: every fourth one is on stage 3's grid */
+#define SHIFTED_TRIANGLES 5
 
-const struct gate gates[] = {
-    {"a mesh with edges of 4096 rows is hit once everywhere", "1", gate_watertight},
-    {"texels drift along a span by no more than the roundings add up to", "1", gate_drift},
-    {"nothing beside the texture is fetched", "12345sc", gate_texture_only},
-    {"coverage is exact for the rounded vertices", "2345sc", gate_coverage_random},
-    {"coverage is exact for the rounded vertices, every shift", "2345sc", gate_coverage_shifted},
-    {"coverage is exact for the rounded vertices, every scene", "2345sc", gate_coverage_scenes},
-    {"coverage is exact for the rounded vertices, 4096x4096", "2345sc", gate_coverage_large},
-    {"every texel is within the bound of linear interpolation", "345s", gate_bound_random},
-    {"every texel is within the bound of linear interpolation, every shift", "345s",
-     gate_bound_shifted},
-    {"every texel is within the bound of linear interpolation, every scene", "345s",
-     gate_bound_scenes},
-    {"segments are exact at their ends, the last at the span's last pixel", "45s", gate_ends},
-    {"at most 0.1 % of texels are wrong, by 1, in triangles of fair shape", "3",
-     gate_texels_right},
-    {"on the border of two texels the direction decides", "345sc", gate_ties},
-    {"no texel is outside the triangle's own range", "345sc", gate_range_random},
-    {"no texel is outside the triangle's own range, every shift", "345sc", gate_range_shifted},
-    {"no texel is outside the triangle's own range, every scene", "345sc", gate_range_scenes},
-    {"no texel is outside the triangle's own range where it is constant", "345sc",
-     gate_range_constant},
-    {"frames are stage 4's, bit for bit", "5", gate_same_as_stage_4},
-    {NULL, NULL, NULL},
-};
-
-bool gate_applies(const struct gate *gate, const struct stage *stage)
+static void check_stage(bool holds, const struct stage *stage, const char *what, const char *text)
 {
-    const char other = strcmp(stage->name, "coda") == 0 ? 'c' : 's';
+    char name[NAME_LENGTH];
 
-    return strchr(gate->stages, stage->digit ? stage->digit[0] : other) != NULL;
+    snprintf(name, sizeof name, "%s: %s", stage->name, what);
+    check(holds, name, "%s", text);
+}
+
+static void test_kind(struct judge *judge, const struct stage *stage, enum kind kind)
+{
+    const int count = kind == HALF_SIZE ? HALF_SIZE_CASES : CASES;
+    char name[WHAT_LENGTH], text[JUDGE_TEXT] = "";
+    struct judge_case one;
+    bool holds = true;
+
+    for (int i = 0; holds && i < count; i++) {
+        case_make(&one, (uint64_t)i * KIND_COUNT + kind);
+        holds = judge_case(judge, stage, &one, text);
+    }
+    snprintf(name, sizeof name, "every promise holds: %s", kind_name(kind));
+    check_stage(holds, stage, name, text);
+}
+
+static void test_fair(struct judge *judge, const struct stage *stage)
+{
+    char text[JUDGE_TEXT] = "";
+    uint64_t pixels = 0, wrong = 0;
+    struct judge_case one;
+    bool holds = true;
+    int worst = 0;
+
+    for (uint64_t i = 0; holds && pixels < FAIR_PIXELS; i++) {
+        struct random random = random_start(i);
+        one.number = i;
+        case_of_kind(&one, FAIR, &random);
+        holds = judge_case(judge, stage, &one, text);
+        pixels += judge->drawn;
+        wrong += judge->wrong;
+        worst = judge->worst > worst ? judge->worst : worst;
+    }
+    if (holds) {
+        snprintf(text, sizeof text, "%g %% of pixels wrong, by up to %d texels",
+                 100.0 * (double)wrong / (double)pixels, worst);
+    }
+    check_stage(holds && wrong * WRONG_PARTS <= pixels && worst <= 1, stage,
+                "at most 0.1 % of texels are wrong, by 1, in triangles of fair shape", text);
+}
+
+/* The largest frame; and every multiple of 1/64 pixel to the right and down. */
+static void test_largest(struct judge *judge, const struct stage *stage)
+{
+    char text[JUDGE_TEXT] = "";
+    bool holds = true;
+
+    for (int i = 0; holds && i < LARGEST_CASES; i++) {
+        struct random random = random_start((uint64_t)i);
+        struct judge_case one = {.number = (uint64_t)i};
+        case_of_kind(&one, WHOLE, &random);
+        for (int k = 0; k < 3; k++) { /* spread over the frame: still on the grid */
+            one.v[0][k].x = fminf(one.v[0][k].x * 64, FRAME_SIDE_MAX - 0.5f);
+            one.v[0][k].y = fminf(one.v[0][k].y * 64, FRAME_SIDE_MAX - 0.5f);
+            one.v[0][k].x = fmaxf(one.v[0][k].x, -0.5f);
+            one.v[0][k].y = fmaxf(one.v[0][k].y, -0.5f);
+        }
+        one.width = one.height = FRAME_SIDE_MAX;
+        holds = judge_case(judge, stage, &one, text);
+    }
+    check_stage(holds, stage, "every promise holds: 4096x4096", text);
+}
+
+static void test_shifts(struct judge *judge, const struct stage *stage)
+{
+    char text[JUDGE_TEXT] = "";
+    bool holds = true;
+
+    for (int i = 0; holds && i < SHIFTED_TRIANGLES * SHIFT_ONE * SHIFT_ONE; i++) {
+        struct random random = random_start((uint64_t)(i / (SHIFT_ONE * SHIFT_ONE)));
+        struct judge_case one = {.number = (uint64_t)i};
+        case_of_kind(&one, TINY, &random);
+        for (int k = 0; k < 3; k++) {
+            one.v[0][k].x += (float)(i % SHIFT_ONE) / SHIFT_ONE;
+            one.v[0][k].y += (float)(i / SHIFT_ONE % SHIFT_ONE) / SHIFT_ONE;
+        }
+        one.width++;
+        one.height++;
+        holds = judge_case(judge, stage, &one, text);
+    }
+    check_stage(holds, stage, "every promise holds: every shift by 1/64 pixel", text);
+}
+
+static void test_scene(struct judge *judge, const struct stage *stage, enum scene_id scene,
+                       int number)
+{
+    const struct view view = {317, 239, 0, 0};
+    const struct image texture = judge_texture(judge, 256, 256);
+    char name[WHAT_LENGTH], text[JUDGE_TEXT] = "no memory";
+    struct triangle_list list = {0};
+    bool holds = scene_build(scene, number, &view, &list) &&
+                 judge_open(judge, view.width, view.height);
+
+    for (size_t i = 0; holds && i < list.count; i++) {
+        holds = judge_triangle(judge, stage, list.items[i].v, &texture, (int)(i % 6), text);
+    }
+    holds = holds && judge_clean(judge, text);
+    triangle_list_destroy(&list);
+    snprintf(name, sizeof name, "every promise holds: %s, frame %d", scene_name(scene), number);
+    check_stage(holds, stage, name, text);
+}
+
+static void test_stage(struct judge *judge, const struct stage *stage)
+{
+    for (enum kind kind = ORDINARY; kind < KIND_COUNT; kind++) {
+        test_kind(judge, stage, kind);
+    }
+    if (stage->promises & RARELY_WRONG) {
+        test_fair(judge, stage);
+    }
+    test_largest(judge, stage);
+    test_shifts(judge, stage);
+    for (enum scene_id scene = 0; scene < SCENE_COUNT; scene++) {
+        for (int frame = 0; frame <= (scene == SCENE_ROOM ? 200 : 0); frame += 100) {
+            test_scene(judge, stage, scene, frame);
+        }
+    }
 }
 
 void test_gates(void)
 {
-    for (const struct stage *stage = stages; stage->name; stage++) {
-        for (const struct gate *gate = gates; gate->name; gate++) {
-            char name[NAME_LENGTH], text[GATE_TEXT] = "";
-            if (gate_applies(gate, stage)) {
-                snprintf(name, sizeof name, "%s: %s", stage->name, gate->name);
-                check(gate->holds(stage, text), name, "%s", text);
+    const char *only = getenv("TEXMAP_STAGE"), *number = getenv("TEXMAP_CASE");
+    char text[JUDGE_TEXT] = "";
+    struct judge judge;
+    struct judge_case one;
+
+    if (!judge_create(&judge)) {
+        check(false, "there is memory for the judge", "there is not");
+    } else if (number) {
+        case_make(&one, strtoull(number, NULL, 10));
+        check(judge_stages(&judge, &one, text), "every promise holds", "%s", text);
+    } else {
+        for (const struct stage *stage = stages; stage->name; stage++) {
+            if (!only || strcmp(stage->name, only) == 0) {
+                test_stage(&judge, stage);
             }
         }
     }
+    judge_destroy(&judge);
 }

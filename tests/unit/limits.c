@@ -1,11 +1,11 @@
 /* At the limits that the stages are promised, and just beyond: inside, every promise holds
- * (tests/judge/promises.h); outside, input is refused. */
+ * (tests/judge/judge.h); outside, input is refused. */
 #include <math.h>
 #include <string.h>
 #include "common/clip.h"
 #include "tests/unit/check.h"
 #include "tests/exact/exact.h"
-#include "tests/judge/promises.h"
+#include "tests/judge/judge.h"
 #include "tests/unit/test.h"
 
 #define STEP (1 / 65536.0f) /* pixels: from one place a vertex may have to the next */
@@ -57,47 +57,48 @@ static const struct {
      {{0, 0, 1, -0.5f, 0.5f}, {63.5f, 0, 4, 0.5f, 0.5f}, {0, 63.5f, 9, -0.5f, -0.5f}}},
 };
 
-static void test_inside(struct promises *promises)
+static struct judge_case one_triangle(int width, int height, int texture_width, int texture_height,
+                                      const struct vertex v[3])
 {
-    char text[PROMISES_TEXT] = "";
+    return (struct judge_case){.width = width, .height = height, .texture_width = texture_width,
+                               .texture_height = texture_height, .count = 1,
+                               .v = {{v[0], v[1], v[2]}}};
+}
 
+static void test_inside(struct judge *judge)
+{
     for (size_t i = 0; i < sizeof inside / sizeof inside[0]; i++) {
-        struct promises_case given = {
-            .width = inside[i].width,
-            .height = inside[i].height,
-            .texture =
-                promises_texture(promises, inside[i].texture_width, inside[i].texture_height),
-            .v = {inside[i].v[0], inside[i].v[1], inside[i].v[2]},
-            .apex = inside[i].v[2],
-        };
-        check(given.texture >= 0 && promises_hold(promises, &given, text), inside[i].name, "%s",
-              text);
+        const struct judge_case one =
+            one_triangle(inside[i].width, inside[i].height, inside[i].texture_width,
+                         inside[i].texture_height, inside[i].v);
+        char text[JUDGE_TEXT] = "";
+        check(judge_stages(judge, &one, text), inside[i].name, "%s", text);
     }
 }
 
 /* All three vertices on a pixel's centre, a step before it, or a step after it, on both axes: 3^6
  * triangles of each shape. */
-static void test_centres(struct promises *promises)
+static void test_centres(struct judge *judge)
 {
     static const float shapes[][3][2] = {{{3, 3}, {9, 3}, {3, 9}},
                                          {{2, 2}, {10, 5}, {5, 10}},
                                          {{4, 1}, {5, 1}, {4, 14}},
                                          {{0.5f, 0.5f}, {8.5f, 7.5f}, {15.5f, 14.5f}}};
-    char text[PROMISES_TEXT] = "";
+    char text[JUDGE_TEXT] = "";
     bool holds = true;
 
     for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; s++) {
         for (int n = 0; holds && n < 729; n++) {
-            struct promises_case given = {.width = 16, .height = 16};
+            struct vertex v[3];
             int digits = n; /* of base 3: -1, 0, 1 steps for each coordinate */
             for (int k = 0; k < 3; k++, digits /= 9) {
-                given.v[k] = (struct vertex){shapes[s][k][0] + (float)(digits % 3 - 1) * STEP,
-                                             shapes[s][k][1] + (float)(digits / 3 % 3 - 1) * STEP,
-                                             1.0f + (float)k, 20.0f * (float)k, 60 - 30 * (float)k};
-                given.v[k].x = fminf(given.v[k].x, 15.5f);
+                v[k] = (struct vertex){shapes[s][k][0] + (float)(digits % 3 - 1) * STEP,
+                                       shapes[s][k][1] + (float)(digits / 3 % 3 - 1) * STEP,
+                                       1.0f + (float)k, 20.0f * (float)k, 60 - 30 * (float)k};
+                v[k].x = fminf(v[k].x, 15.5f);
             }
-            given.apex = given.v[2];
-            holds = promises_hold(promises, &given, text);
+            const struct judge_case one = one_triangle(16, 16, 64, 64, v);
+            holds = judge_stages(judge, &one, text);
         }
     }
     check(holds, "vertices on pixel centres, on borders, and 2^-16 beside them", "%s", text);
@@ -108,7 +109,7 @@ static void test_centres(struct promises *promises)
 
 /* A rectangle as large as positions may be: what clipping leaves covers the frame, each pixel once,
  * in every stage. */
-static void test_positions(struct promises *promises)
+static void test_positions(struct judge *judge)
 {
     const float p = (float)POSITION_MAX;
     const struct vertex corners[4] = {
@@ -116,44 +117,31 @@ static void test_positions(struct promises *promises)
     const struct triangle halves[2] = {{{corners[0], corners[1], corners[2]}, TEXTURE_COORD},
                                        {{corners[0], corners[2], corners[3]}, TEXTURE_COORD}};
     const struct view view = {CLIP_WIDTH, CLIP_HEIGHT, 0, 0};
+    struct judge_case one = {.width = CLIP_WIDTH, .height = CLIP_HEIGHT, .texture_width = 64,
+                             .texture_height = 64, .shared = true};
     struct triangle_list given = {0}, list = {0};
-    struct promises_case one = {.width = CLIP_WIDTH, .height = CLIP_HEIGHT};
-    char text[PROMISES_TEXT] = "";
-    int hits[CLIP_WIDTH * CLIP_HEIGHT] = {0};
-    bool holds = triangle_list_add(&given, &halves[0]) && triangle_list_add(&given, &halves[1]) &&
-                 clip_screen_triangles(&given, &view, &list);
+    char text[JUDGE_TEXT] = "no memory";
+    const bool clipped = triangle_list_add(&given, &halves[0]) &&
+                         triangle_list_add(&given, &halves[1]) &&
+                         clip_screen_triangles(&given, &view, &list);
 
-    for (size_t i = 0; holds && i < list.count; i++) {
-        struct exact_triangle exact;
-        memcpy(one.v, list.items[i].v, sizeof one.v);
-        one.apex = one.v[2];
-        holds = promises_hold(promises, &one, text);
-        for (int y = 0; exact_setup(&exact, one.v) && y < CLIP_HEIGHT; y++) {
-            int first, end;
-            exact_row(&exact, y, CLIP_WIDTH, &first, &end);
-            for (int x = first; x < end; x++) {
-                hits[y * CLIP_WIDTH + x]++;
-            }
-        }
+    for (size_t i = 0; i < list.count && one.count < CASE_TRIANGLES; i++) {
+        memcpy(one.v[one.count++], list.items[i].v, sizeof one.v[0]);
     }
-    check(holds, "x and y at their limits, clipped", "%s", text);
-    for (int i = 0; holds && i < CLIP_WIDTH * CLIP_HEIGHT; i++) {
-        holds = hits[i] == 1;
-    }
-    check(holds, "x and y at their limits: the frame is covered, each pixel once", "it is not");
+    check(clipped && judge_stages(judge, &one, text),
+          "x and y at their limits, clipped: the frame is covered, each pixel once", "%s", text);
     triangle_list_destroy(&given);
     triangle_list_destroy(&list);
 }
 
 void test_limits(void)
 {
-    struct promises promises;
+    struct judge judge;
 
-    if (!check(promises_create(&promises), "there is memory for the limits", "there is not")) {
-        return;
+    if (check(judge_create(&judge), "there is memory for the limits", "there is not")) {
+        test_inside(&judge);
+        test_centres(&judge);
+        test_positions(&judge);
     }
-    test_inside(&promises);
-    test_centres(&promises);
-    test_positions(&promises);
-    promises_destroy(&promises);
+    judge_destroy(&judge);
 }

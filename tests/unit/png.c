@@ -185,7 +185,7 @@ static void paint(struct image *image, enum kind kind, int period)
     for (int i = 0; i < image->width * image->height; i++) {
         const int x = i % image->width, y = i / image->width;
         if (kind == REPEATS) {
-            struct random place = {(uint64_t)(y % period) * 5000 + (uint64_t)x};
+            struct random place = {.state = (uint64_t)(y % period) * 5000 + (uint64_t)x};
             colour = random_bits(&place);
         } else if (kind == NOISE || (kind == RUNS && random_int(&random, 0, 40) == 0)) {
             colour = random_bits(&random);

@@ -9,75 +9,76 @@
 
 #define SIDE 8
 #define NAME_LENGTH 120
+#define FLOATS 65536 /* or the grid on which all vertices lie */
 
 struct picture {
     const char *name;
-    const char *stages; /* those that keep such vertices, and so must draw this */
+    int coarse, fine; /* the stages that draw it are those with so many positions a pixel */
     float xy[3][2];
     const char *rows[SIDE]; /* NULL from the first empty row of the rest on */
 };
 
 static const struct picture pictures[] = {
     {"left and top edges are inside", /* x < 6 - y */
-     "12345", {{1, 1}, {5, 1}, {1, 5}},
+     1, FLOATS, {{1, 1}, {5, 1}, {1, 5}},
      {"........",
       ".####...",
       ".###....",
       ".##.....",
       ".#......"}},
     {"right and bottom edges are outside", /* x >= 6 - y: the rest of the square */
-     "12345", {{5, 1}, {5, 5}, {1, 5}},
+     1, FLOATS, {{5, 1}, {5, 5}, {1, 5}},
      {"........",
       "........",
       "....#...",
       "...##...",
       "..###..."}},
     {"flat top", /* y - 2 <= x < 8 - y */
-     "12345", {{0, 2}, {6, 2}, {3, 5}},
+     1, FLOATS, {{0, 2}, {6, 2}, {3, 5}},
      {"........",
       "........",
       "######..",
       ".####...",
       "..##...."}},
     {"flat bottom", /* 5 - y <= x < y + 1 */
-     "12345", {{3, 2}, {6, 5}, {0, 5}},
+     1, FLOATS, {{3, 2}, {6, 5}, {0, 5}},
      {"........",
       "........",
       "........",
       "..##....",
       ".####..."}},
     {"middle vertex on the right", /* 2 - y/2 <= x < 2 + 2y, then < 12 - 3y */
-     "12345", {{2, 0}, {6, 2}, {0, 4}},
+     1, FLOATS, {{2, 0}, {6, 2}, {0, 4}},
      {"........",
       "..##....",
       ".#####..",
       ".##....."}},
     {"middle vertex on the left", /* 4 - 2y, then 3y - 6 <= x < 4 + y/2 */
-     "12345", {{4, 0}, {0, 2}, {6, 4}},
+     1, FLOATS, {{4, 0}, {0, 2}, {6, 4}},
      {"........",
       "..###...",
       "#####...",
       "...###.."}},
     {"one pixel, its centre the top left vertex",
-     "12345", {{2, 3}, {3, 3}, {2, 4}},
+     1, FLOATS, {{2, 3}, {3, 3}, {2, 4}},
      {"........",
       "........",
       "........",
       "..#....."}},
     {"no pixel, though all vertices are centres",
-     "12345", {{2, 3}, {3, 4}, {2, 4}}, {NULL}},
+     1, FLOATS, {{2, 3}, {3, 4}, {2, 4}}, {NULL}},
     {"one pixel, its centre inside", /* in row 3: 2.6 <= x < 3.5 */
-     "12345", {{2.5f, 2.5f}, {3.75f, 2.75f}, {2.75f, 3.75f}},
+     1, FLOATS, {{2.5f, 2.5f}, {3.75f, 2.75f}, {2.75f, 3.75f}},
      {"........",
       "........",
       "........",
       "...#...."}},
     {"no pixel, between the centres",
-     "1345", {{2.25f, 2.25f}, {2.75f, 2.25f}, {2.25f, 2.75f}}, {NULL}},
+     16, FLOATS, {{2.25f, 2.25f}, {2.75f, 2.25f}, {2.25f, 2.75f}}, {NULL}},
     {"no pixel, a needle between two rows",
-     "1345", {{0, 2.25f}, {7, 2.5f}, {0, 2.75f}}, {NULL}},
+     16, FLOATS, {{0, 2.25f}, {7, 2.5f}, {0, 2.75f}}, {NULL}},
     {"1/16 pixel left of and above a centre", /* x < 7.875 - y */
-     "1345", {{1.9375f, 1.9375f}, {5.9375f, 1.9375f}, {1.9375f, 5.9375f}},
+     16, FLOATS, {{1.9375f, 1.9375f}, {5.9375f, 1.9375f}, {1.9375f, 5.9375f}},
      {"........",
       "........",
       "..####..",
@@ -85,7 +86,7 @@ static const struct picture pictures[] = {
       "..##....",
       "..#....."}},
     {"1/16 pixel right of and below a centre", /* x < 8.125 - y */
-     "1345", {{2.0625f, 2.0625f}, {6.0625f, 2.0625f}, {2.0625f, 6.0625f}},
+     16, FLOATS, {{2.0625f, 2.0625f}, {6.0625f, 2.0625f}, {2.0625f, 6.0625f}},
      {"........",
       "........",
       "........",
@@ -93,7 +94,7 @@ static const struct picture pictures[] = {
       "...##...",
       "...#...."}},
     {"up to the frame's border", /* x < 7 - y */
-     "1345", {{-0.5f, -0.5f}, {7.5f, -0.5f}, {-0.5f, 7.5f}},
+     16, FLOATS, {{-0.5f, -0.5f}, {7.5f, -0.5f}, {-0.5f, 7.5f}},
      {"#######.",
       "######..",
       "#####...",
@@ -102,7 +103,7 @@ static const struct picture pictures[] = {
       "##......",
       "#......."}},
     {"up to the frame's border, rounded to whole pixels", /* x < 8 - y */
-     "2", {{-0.5f, -0.5f}, {7.5f, -0.5f}, {-0.5f, 7.5f}},
+     1, 1, {{-0.5f, -0.5f}, {7.5f, -0.5f}, {-0.5f, 7.5f}},
      {"########",
       "#######.",
       "######..",
@@ -111,13 +112,13 @@ static const struct picture pictures[] = {
       "###.....",
       "##......",
       "#......."}},
-    {"no area: a point", "12345", {{3, 3}, {3, 3}, {3, 3}}, {NULL}},
-    {"no area: two vertices alike", "12345", {{1, 1}, {5, 6}, {1, 1}}, {NULL}},
-    {"no area: a row", "12345", {{1, 3}, {6, 3}, {4, 3}}, {NULL}},
-    {"no area: a column", "12345", {{3, 1}, {3, 6}, {3, 4}}, {NULL}},
-    {"no area: a diagonal", "12345", {{0, 0}, {3, 3}, {7, 7}}, {NULL}},
+    {"no area: a point", 1, FLOATS, {{3, 3}, {3, 3}, {3, 3}}, {NULL}},
+    {"no area: two vertices alike", 1, FLOATS, {{1, 1}, {5, 6}, {1, 1}}, {NULL}},
+    {"no area: a row", 1, FLOATS, {{1, 3}, {6, 3}, {4, 3}}, {NULL}},
+    {"no area: a column", 1, FLOATS, {{3, 1}, {3, 6}, {3, 4}}, {NULL}},
+    {"no area: a diagonal", 1, FLOATS, {{0, 0}, {3, 3}, {7, 7}}, {NULL}},
     {"no area after rounding",
-     "2345", {{1.015625f, 1}, {0.984375f, 3}, {1.015625f, 6}}, {NULL}},
+     1, 16, {{1.015625f, 1}, {0.984375f, 3}, {1.015625f, 6}}, {NULL}},
 };
 
 #define PICTURE_COUNT (sizeof pictures / sizeof pictures[0])
@@ -172,8 +173,9 @@ static void test_picture(const struct picture *picture, const struct stage *stag
 void test_raster(void)
 {
     for (size_t i = 0; i < PICTURE_COUNT; i++) {
-        for (const struct stage *stage = stages; stage->name && stage->digit; stage++) {
-            if (strchr(pictures[i].stages, stage->digit[0])) {
+        for (const struct stage *stage = stages; stage->name; stage++) {
+            const int grid = stage->grid ? stage->grid : FLOATS;
+            if (grid >= pictures[i].coarse && grid <= pictures[i].fine) {
                 test_picture(&pictures[i], stage);
             }
         }

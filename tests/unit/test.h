@@ -14,9 +14,6 @@
     GROUP(clip, test_clip) \
     GROUP(clip, test_scenes) \
     GROUP(raster, test_raster) \
-    GROUP(raster, test_raster_mesh) \
-    GROUP(raster, test_raster_random) \
-    GROUP(raster, test_raster_whole) \
     GROUP(cli, test_cli) \
     GROUP(cli, test_cli_many) \
     GROUP(cli, test_faults) \
