@@ -16,19 +16,10 @@
 
 bool judge_create(struct judge *judge)
 {
-    *judge = (struct judge){.all = malloc((TEXELS_MAX + 2 * TEXTURE_SIDE_MAX) * sizeof *judge->all),
+    *judge = (struct judge){.all = calloc(TEXELS_MAX + 2 * TEXTURE_SIDE_MAX, sizeof *judge->all),
                             .row = malloc((FRAME_SIDE_MAX + 1) * sizeof *judge->row)};
-    if (!judge->all || !judge->row) {
-        return false;
-    }
-    for (size_t i = 0; i < TEXELS_MAX + 2 * TEXTURE_SIDE_MAX; i++) {
-        judge->all[i] = POISON;
-    }
-    judge->texels = judge->all + TEXTURE_SIDE_MAX;
-    for (uint32_t i = 0; i < TEXELS_MAX; i++) {
-        judge->texels[i] = ALPHA | i;
-    }
-    return true;
+    judge->texels = judge->all ? judge->all + TEXTURE_SIDE_MAX : NULL;
+    return judge->all && judge->row;
 }
 
 void judge_destroy(struct judge *judge)
@@ -41,8 +32,11 @@ void judge_destroy(struct judge *judge)
     *judge = (struct judge){.capacity = 0};
 }
 
-struct image judge_texture(const struct judge *judge, int width, int height)
+struct image judge_texture(struct judge *judge, int width, int height)
 {
+    for (; judge->filled < (uint32_t)width * (uint32_t)height; judge->filled++) {
+        judge->texels[judge->filled] = ALPHA | judge->filled;
+    }
     return (struct image){width, height, width, judge->texels};
 }
 

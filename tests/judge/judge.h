@@ -24,7 +24,8 @@ struct judge {
     struct image frames[2];  /* the stage's, and another to compare with; all 0 between two calls */
     uint32_t *pixels[2];     /* those, with poison around */
     size_t capacity, count;  /* pixels in each: there is room for, and in use */
-    uint32_t *all, *texels;  /* texel n holds n: any texture's size fits; poison around */
+    uint32_t *all, *texels;  /* texel n holds n: any texture's size fits; 0 around them */
+    uint32_t filled;         /* texels so far */
     uint8_t *hits;           /* how often each pixel of the frame was drawn */
     struct exact_point *row;
     uint64_t drawn, wrong;   /* pixels judged; those of them whose texel is not right */
@@ -40,7 +41,7 @@ bool judge_open(struct judge *judge, int width, int height);
 
 /* A texture, sides powers of two up to 4096, whose texels say where they lie: texel (u, v) holds
  * v width + u, alpha 255. */
-struct image judge_texture(const struct judge *judge, int width, int height);
+struct image judge_texture(struct judge *judge, int width, int height);
 
 /* Has the stage draw the triangle, judges what it drew, and clears it. False where a promise is
  * broken: `text` says which pixel, expected and got. order: 0 to 5, of the vertices, for the second
