@@ -12,7 +12,7 @@ draw_triangle segment_4_draw_triangle, segment_8_draw_triangle, segment_32_draw_
     segment_64_draw_triangle, segment_span_draw_triangle;
 
 /* Planes in double; segments in float and 16.16, of which the tie is a position. */
-#define SUBDIVIDED .grid = 16, .rounding = 0x1p-53, .tie = 0x1p-16
+#define SUBDIVIDED .grid = 16, .rounding = 0x1p-53, .tie = 0x1p-14
 
 static struct stage table[] = {
     {"stage1_float", "1", stage1_draw_triangle, trace1_draw_triangle,
@@ -21,13 +21,13 @@ static struct stage table[] = {
      .grid = 1, .segment_length = 1, .truncates = true, .promises = COVERAGE, .rounding = 0x1p-24},
     {"stage3_fixed28_4", "3", stage3_draw_triangle, trace3_draw_triangle,
      .grid = 16, .segment_length = 1,
-     .promises = COVERAGE | OWN_RANGE | TEXELS | RARELY_WRONG,
-     .rounding = 0x1p-53, .tie = 0x1p-15},
+     .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION | RARELY_WRONG,
+     .rounding = 0x1p-53, .tie = 0x1p-20},
     {"stage4_subdivide", "4", stage4_draw_triangle, trace4_draw_triangle, SUBDIVIDED,
-     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS},
+     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION},
 #ifdef TEXMAP_STAGE5
     {"stage5_asm", "5", stage5_draw_triangle, NULL, SUBDIVIDED,
-     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS, .twin = "stage4_subdivide"},
+     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION, .twin = "stage4_subdivide"},
 #endif
     {"segment_4", NULL, segment_4_draw_triangle, NULL, SUBDIVIDED,
      .segment_length = 4, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},

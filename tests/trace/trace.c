@@ -39,7 +39,7 @@ static bool record(struct trace *trace, const struct image *texture)
     for (int pass = 0; pass < 2; pass++) {
         trace_recorder = (struct trace_recorder){trace->events, trace->event_count, 0, NULL};
         for (int i = 0; i < trace->piece_count; i++) {
-            traced[trace->number](&trace->frame, texture, trace->clipped[i]);
+            trace->stage->traced(&trace->frame, texture, trace->clipped[i]);
         }
         trace->event_count = trace_recorder.count;
         if (pass == 0) {
@@ -81,7 +81,7 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
     struct image numbers = {0};
 
     assert(stage->traced);
-    *trace = (struct trace){.stage = stage, .number = traced_index(stage), .row = TRACE_ALL_ROWS,
+    *trace = (struct trace){.stage = stage, .number = stage->digit[0] - '1', .row = TRACE_ALL_ROWS,
                             .texture = {texture->width, texture->height, texture->width, NULL}};
     bool done = clip(trace, triangle, width, height) &&
                 image_create(&trace->frame, width, height) &&
