@@ -36,7 +36,8 @@ LIBRARIES = $(BUILD)/tests.a $(BUILD)/texmap.a
 PROGRAMS = $(patsubst %_main.c,$(BUILD)/%,$(notdir $(MAINS)))
 
 say = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),,@echo '$(1)  $(@:$(BUILD)/%=%)' &&)
-compile = @mkdir -p $(@D)$(newline)$(call say,CC) $(CC) $(CFLAGS) $(KEPT) -MMD -MP $(1) -c -o $@ $<
+# A stage's source compiled again, with other flags, is not announced.
+compile = @mkdir -p $(@D)$(newline)$(if $(1),$(if $(V),,@),$(call say,CC)) $(CC) $(CFLAGS) $(KEPT) -MMD -MP $(1) -c -o $@ $<
 define newline
 
 
@@ -141,7 +142,7 @@ $(BUILD)/flags: FORCE
 	@echo '$(CC) $(CFLAGS) $(KEPT)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(KEPT)' > $@
 
 #:
-#: For who changes something; each says clearly what it misses:
+#: For those who change something; each says clearly what it misses:
 #:
 #: make golden        renews tests/golden/, after a change that means to move a frame
 golden: $(BUILD)/test

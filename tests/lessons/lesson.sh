@@ -1,8 +1,8 @@
 #!/bin/sh
 # tests/lessons/lesson.sh BUILD N: what stage N (2 to 5) changes in the one before it. Prints the
 # source's difference, then accuracy and speed of both side by side, and writes the difference
-# picture to BUILD/out/lesson_N.png. `make lesson N=2` calls it. Exit status 2 for bad usage, or when texmap
-# fails.
+# picture to BUILD/out/lesson_N.png. `make lesson N=2` calls it. Exit status 2 for bad usage, or
+# when texmap fails.
 
 build=$1
 number=$2
@@ -20,16 +20,8 @@ esac
 
 texmap=$build/texmap
 out=$build/out
-scenes='room wall floor mesh'
-# Small, so that it takes seconds. The mesh has as many triangles on any frame: 128 of its frames
-# for the jitter are most of the time.
-accuracy_size=160x120
-bench_size=320x240
-bench_seconds=6
-
-folder=$build/lesson
-mkdir -p "$out" "$folder" || exit 2
-rm -f "$folder"/*
+size=320x240 # small, so that it takes seconds
+mkdir -p "$out" || exit 2
 
 echo "== Lesson $number: from $before to $after =="
 echo
@@ -41,61 +33,47 @@ fi
 
 echo
 echo "== Measured: some seconds =="
-for scene in $scenes; do
-    for stage in $before $after; do
-        "$texmap" accuracy --stage "$stage" --scene "$scene" --size $accuracy_size \
-            --csv "$folder/$scene.$stage.csv" > "$folder/table" || exit 2
-        grep -v '^stage,' "$folder/$scene.$stage.csv" >> "$folder/accuracy.csv"
-    done
-done
-grep '^stage,' "$folder/room.$before.csv" > "$folder/accuracy.header"
-"$texmap" bench --stage all --scene all --size $bench_size --seconds $bench_seconds \
-    --csv "$folder/bench.csv" > "$folder/table"
+"$texmap" bench --stage all --scene all --size $size --seconds 6 --csv "$out/lesson.csv" \
+    > "$out/lesson.txt"
 [ $? -ne 2 ] || exit 2 # 1: a stage is wrong, and has no time
-
 echo "Frames are small here: each pixel spans more texels, so errors can be many times those of the"
-echo "lesson's part 8. Compare only the two columns of a scene."
-# The columns are found by their names in the two headers.
-{ cat "$folder/accuracy.header" "$folder/accuracy.csv" && grep -v '^#' "$folder/bench.csv"; } |
-    awk -F, -v before="$before" -v after="$after" -v scene_names="$scenes" '
-    function row(title, column, format,    i, stage) {
+echo "lesson's part on measuring. Compare only the two columns of a scene."
+# The columns are found by their names in the header.
+awk -F, -v before="$before" -v after="$after" '
+    function row(title, column, format,    i, k, n) {
         printf "%-15s", title
-        for (i = 1; i <= scene_count; i++) {
-            for (stage = 0; stage < 2; stage++) {
-                printf "%10s", cell(stages[stage] "," scenes[i] "," column, format)
+        for (i = 1; i <= 4; i++) {
+            for (k = 1; k <= 2; k++) {
+                n = value[stage[k], scene[i], column]
+                printf "%8s", n == "" ? "-" : sprintf(format, n)
             }
         }
         printf "\n"
     }
-    function keep(name, number) { if (value[name] == "") value[name] = number }
-    function cell(name, format) { return value[name] == "" ? "-" : sprintf(format, value[name]) }
     BEGIN {
-        stages[0] = before
-        stages[1] = after
-        scene_count = split(scene_names, scenes, " ")
+        stage[1] = before
+        stage[2] = after
+        split("room wall floor mesh", scene, " ")
     }
+    /^#/ { next }
     $1 == "stage" { for (i = 1; i <= NF; i++) name[i] = $i; next }
-    { for (i = 3; i <= NF; i++) keep($1 "," $2 "," name[i], $i) }
+    { for (i = 3; i <= NF; i++) value[$1, $2, name[i]] = $i }
     END {
-        printf "%-15s", ""
-        for (i = 1; i <= scene_count; i++) printf "%20s", scenes[i]
-        printf "\n%-15s", "stage"
-        for (i = 1; i <= scene_count; i++)
-            printf "%10s%10s", substr(before, 6, 1), substr(after, 6, 1)
+        printf "%-15s%16s%16s%16s%16s\n%-15s", "", scene[1], scene[2], scene[3], scene[4], "stage"
+        for (i = 1; i <= 4; i++) printf "%8s%8s", substr(before, 6, 1), substr(after, 6, 1)
         printf "\n"
         row("wrong texels, %", "wrong_texel_pct", "%.3f")
         row("bias u, texels", "bias_u", "%.3f")
         row("bias v, texels", "bias_v", "%.3f")
         row("largest, texels", "max_texel", "%d")
         row("position, RMS", "position_rms", "%.4f")
-        row("position, most", "position_max", "%.4f")
+        row("position, most", "position_max", "%.2f")
         row("missing pixels", "coverage_missing", "%d")
         row("extra pixels", "coverage_extra", "%d")
-        row("jitter, RMS", "jitter_rms", "%.4f")
         row("ns per pixel", "ns_per_pixel_min", "%.2f")
-    }'
-echo "Frames of $accuracy_size; ns per pixel, the least of some rounds, on frames of $bench_size."
-echo "\`$texmap help accuracy\` says more; \`make bench\` measures speed with more patience."
+    }' "$out/lesson.csv"
+echo "Frames of $size; ns per pixel, the least of some rounds. \`texmap help accuracy\` says more,"
+echo "and \`texmap accuracy\` how much the texture swims; \`make bench\` has more patience."
 
 echo
 echo "== The room, drawn by both =="

@@ -18,8 +18,8 @@ done
 cat <<END
 
 The room as each of them draws it: $out/*.png.
-Next: the lessons, from stage1_float/README.md on; \`make lesson N=2\` shows what a
-stage changes, and what that does. \`make report\` makes a page to step through what
-the stages do. \`make test\` proves what is claimed, \`make help\` lists the rest.
+Next: the lessons, from stage1_float/README.md on; \`make lesson N=2\` shows what
+a stage changes, and what that does. \`make report\` makes a page on which to step
+through what they do. \`make test\` proves it all, \`make help\` lists the rest.
 END
 exit $status
