@@ -97,6 +97,33 @@ static void test_csv(void)
 
 #define SLACK 2.0 /* seconds; the machine may be busy */
 
+/* Without time there is one round, accuracy is left out, and both are said. */
+static void test_no_time(void)
+{
+    const int status = cli_run("bench --size 1600x1200 --scene mesh --seconds 1 --csv b.csv");
+    size_t size;
+    char *text = cli_read(CLI_STDOUT, &size);
+    struct bench_choice choice = {.stages = {stages}, .stage_count = 1, .size = {64, 48}};
+    struct bench bench;
+    struct error error = {""};
+
+    check(status == 0 && text && strstr(text, "Note: only 1 round: times may be far off"),
+          "few rounds are pointed out", "status %d: %s", status, text ? text : "");
+    free(text);
+    if (check(bench_open(&bench, &choice, &error) && bench_judge(&bench, bench_clock(), &error),
+              "a bench without time is done", "%s", error.text)) {
+        struct csv csv;
+        bench_time(&bench, bench_clock());
+        check(bench.rounds == 1 && bench_write_csv("b.csv", &bench, &error) &&
+                  csv_read("b.csv", &csv, &error), "its CSV file is written", "%s", error.text);
+        check(*csv_text(&csv, 0, PIXELS) == '\0' && *csv_text(&csv, 0, JITTER - 1) == '\0' &&
+                  number(&csv, 0, PIXEL_MIN) > 0 && csv.column_count == COLUMN_COUNT,
+              "accuracy is empty where there was no time for it, speed is not", "it is not so");
+        csv_destroy(&csv);
+        bench_close(&bench);
+    }
+}
+
 static void test_seconds(void)
 {
     const double start = bench_clock();
@@ -189,6 +216,7 @@ void test_bench(void)
     }
     test_csv();
     test_seconds();
+    test_no_time();
     test_table();
     test_refused();
     cli_close();
