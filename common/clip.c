@@ -69,7 +69,6 @@ static void clip_to_plane(struct polygon *polygon, const struct plane *plane)
         const struct clip_vertex *to = &polygon->v[(i + 1) % polygon->count];
         bool from_inside = signed_distance(plane, from) >= 0;
         bool to_inside = signed_distance(plane, to) >= 0;
-
         if (from_inside) {
             kept.v[kept.count++] = *from;
         }
@@ -126,7 +125,6 @@ bool clip_triangle(const struct clip_vertex v[3], const struct view *view, enum 
                   to_screen(&polygon.v[i], view)},
             .texture = texture,
         };
-
         if (!triangle_list_add(list, &triangle)) {
             return false;
         }
@@ -154,7 +152,6 @@ bool clip_screen_triangles(const struct triangle_list *given, const struct view 
         const struct triangle *triangle = &given->items[i];
         const struct clip_vertex v[3] = {from_screen(&triangle->v[0]), from_screen(&triangle->v[1]),
                                          from_screen(&triangle->v[2])};
-
         if (!clip_triangle(v, view, triangle->texture, list)) {
             return false;
         }

@@ -109,14 +109,12 @@ static bool add_mesh(const struct view *view, struct triangle_list *list)
     for (int row = 0; row <= MESH_ROWS; row++) {
         const struct clip_vertex *above = lines[(row + 1) % 2];
         struct clip_vertex *below = lines[row % 2];
-
         for (int column = 0; column <= MESH_COLUMNS; column++) {
             below[column] = mesh_point(&camera, column, row);
         }
         for (int column = 0; row > 0 && column < MESH_COLUMNS; column++) {
             const struct clip_vertex corners[4] = {above[column], above[column + 1],
                                                    below[column + 1], below[column]};
-
             if (!add_corners(&camera, corners, TEXTURE_CRATE, list)) {
                 return false;
             }

@@ -91,12 +91,10 @@ static bool add_crate(int frame, const struct camera *camera, struct triangle_li
 
     for (int face = 0; face < 6; face++) {
         struct surface_point points[4];
-
         for (int i = 0; i < 4; i++) {
             int corner = faces[face][i];
             double right = corner & 1 ? CRATE_HALF : -CRATE_HALF;
             double back = corner & 4 ? CRATE_HALF : -CRATE_HALF;
-
             points[i] = (struct surface_point){
                 .x = CRATE_X + cosine * right + sine * back,
                 .y = corner & 2 ? 0 : -2 * CRATE_HALF,

@@ -15,7 +15,6 @@ static uint32_t shaded(uint32_t colour, int light)
 
     for (int shift = 0; shift <= 16; shift += 8) {
         int channel = (int)(colour >> shift & 255) * light / LIGHT_ONE;
-
         texel |= (uint32_t)(channel < 0 ? 0 : channel > 255 ? 255 : channel) << shift;
     }
     return texel;
@@ -60,15 +59,8 @@ static int noise(int x, int y, int shift_x, int shift_y, uint32_t seed)
     return blend(above, below, down);
 }
 
-static int smaller(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
+static int smaller(int a, int b) { return a < b ? a : b; }
+static int larger(int a, int b) { return a > b ? a : b; }
 
 /* The light that a bevelled edge adds `depth` behind it. `facing` is 2 where the edge looks up or
  * left, into the light, -2 where it looks away, 0 where it looks neither way. */
@@ -92,7 +84,6 @@ static uint32_t tile_texel(int u, int v)
 
     if (diamond_depth >= 0) {
         int column = (u + tile / 2) / tile % 4, row = (v + tile / 2) / tile % 4;
-
         light += jitter(column, row, 2, 40) + bevel(diamond_depth, bevel_width, -light_x - light_y);
         return shaded(0x2F5A78, light);
     }
@@ -167,12 +158,10 @@ static uint32_t crate_texel(int u, int v)
 
     if (y < 0 || v >= far) {
         uint32_t wood = board_texel(u, v % far, frame, y < 0 ? 21 : 23, LIGHT_ONE + 12);
-
         return nailed(wood, nail_u, v % far - frame / 2);
     }
     if (x < 0 || u >= far) {
         uint32_t wood = board_texel(v, u % far, frame, x < 0 ? 25 : 27, LIGHT_ONE + 12);
-
         return nailed(wood, u % far - frame / 2, nail_v);
     }
     int light = LIGHT_ONE - larger(shadow(x), shadow(y));
@@ -180,7 +169,6 @@ static uint32_t crate_texel(int u, int v)
     if (abs(diagonal) <= brace) {
         uint32_t wood = board_texel((u - v + TEXTURE_SIDE) / 2, (diagonal + brace) / 2, brace + 1,
                                     29, light);
-
         return nailed(wood, nail_u, diagonal - nail_u);
     }
     light -= 36 + shadow(diagonal - brace);

@@ -13,7 +13,6 @@ bool triangle_list_add(struct triangle_list *list, const struct triangle *triang
     if (list->count == list->capacity) {
         size_t capacity = list->capacity ? 2 * list->capacity : CAPACITY_FIRST;
         struct triangle *items = NULL;
-
         if (capacity <= SIZE_MAX / sizeof *items) {
             items = realloc(list->items, capacity * sizeof *items);
         }

@@ -151,7 +151,6 @@ static void put_block(struct output *out, struct history *history, const unsigne
     for (size_t at = 0, next; at < size; at = next) {
         uint32_t distance = 0;
         uint32_t length = find_match(history, bytes, at, size, &distance);
-
         if (length < MATCH_MIN) {
             put_symbol(out, bytes[at]);
             next = at + 1;
@@ -161,7 +160,6 @@ static void put_block(struct output *out, struct history *history, const unsigne
         }
         for (; at < next && at + MATCH_MIN <= size; at++) {
             uint32_t *last = last_place(history, bytes + at);
-
             history->before[at % WINDOW] = *last;
             *last = (uint32_t)at + 1;
         }

@@ -54,7 +54,6 @@ static void flatten(const struct image *image, unsigned char *rows)
 {
     for (int y = 0; y < image->height; y++) {
         const uint32_t *row = image->pixels + (size_t)y * (size_t)image->stride;
-
         *rows++ = FILTER_NONE;
         for (int x = 0; x < image->width; x++) {
             *rows++ = (unsigned char)(row[x] >> 16);

@@ -111,7 +111,6 @@ static bool read_pixels(const struct reader *reader, struct image *image)
     for (int y = 0; y < image->height; y++) {
         unsigned char row[BYTES_PER_PIXEL * TEXTURE_SIDE_MAX];
         size_t row_size = (size_t)image->width * BYTES_PER_PIXEL;
-
         if (fread(row, 1, row_size, reader->file) != row_size) {
             return ferror(reader->file)
                        ? fail(reader, "")
@@ -120,7 +119,6 @@ static bool read_pixels(const struct reader *reader, struct image *image)
         }
         for (int x = 0; x < image->width; x++) {
             const unsigned char *rgb = row + x * BYTES_PER_PIXEL;
-
             image->pixels[y * image->stride + x] =
                 0xFF000000u | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
         }
@@ -171,7 +169,6 @@ bool ppm_encode(const struct image *image, unsigned char **bytes, size_t *size)
     for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++) {
             uint32_t pixel = image->pixels[(size_t)y * (size_t)image->stride + (size_t)x];
-
             *out++ = (unsigned char)(pixel >> 16);
             *out++ = (unsigned char)(pixel >> 8);
             *out++ = (unsigned char)pixel;

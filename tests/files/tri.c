@@ -122,7 +122,6 @@ static bool parse_vertex(const struct reader *reader, const char *text, struct v
 
     for (size_t i = 0; i < FIELD_COUNT; i++) {
         char *end;
-
         text = skip_space(text);
         values[i] = strtof(text, &end);
         /* `1-2` is not two numbers, though strtof could go on behind the first. */

@@ -6,6 +6,7 @@
 #include "tests/stability/curves.h"
 #include "tests/stability/stability.h"
 #include "tests/unit/check.h"
+#include "tests/unit/files.h"
 #include "tests/unit/test.h"
 
 /* One test a case. */
@@ -62,7 +63,7 @@ static void test_bad_cases(const struct stability_stages *chosen)
 {
     static const char *const heads[] = {"", "# size 8x8\n# Why.\n", "# size 8x8\n# measure: beauty\n",
                                         "# size 8x8\n# Why.\n# measure: coverage\n# coda: well\n"};
-    const char *path = "build/bad.tri";
+    const char *path = test_path("bad.tri");
 
     for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
         struct stability_case row;
