@@ -111,7 +111,7 @@ static void print_table(const struct bench *bench)
     printf("frames: %dx%d, %d rounds\n\n", bench->size.width, bench->size.height, bench->rounds);
     printf("Times are per pixel that a stage writes. Speed: stage 1 = 1. Time: lookup = 1,\n"
            "that is copying texels from places worked out beforehand. memset: %.3f ns.\n"
-           "Positions in texels; < 1/64: below the step of measurement. Coverage: pixels.\n",
+           "Positions in texels; < and a step: less than can be measured. Coverage: pixels.\n",
            bench_ns_per_pixel(cleared, cleared->ns_min));
     for (int i = 0; i < bench->row_count; i++) {
         if (i == 0 || bench->rows[i].source != bench->rows[i - 1].source) {
