@@ -43,10 +43,9 @@ define newline
 
 endef
 
-.PHONY: all test bench chart compare lesson exercise report golden results readme pictures \
-	stability debug clean \
-	help test-page test-exercises test-long test-matrix test-contract test-aarch64 test-valgrind \
-	sanitize torture fuzz FORCE
+.PHONY: all test bench chart compare lesson exercise report page-wasm golden results \
+	readme pictures stability debug clean help test-page test-exercises test-long test-matrix \
+	test-contract test-aarch64 test-valgrind sanitize torture fuzz FORCE
 .SECONDEXPANSION:
 
 #: make               builds, draws the room through all stages, and prints their speed and accuracy
@@ -72,6 +71,11 @@ exercise: $(EXERCISES) $(LIBRARIES)
 #: make report        the page on which to step through what the stages do: build/report/index.html
 report: $(BUILD)/texmap
 	$(BUILD)/texmap report -o $(BUILD)/report
+
+#: make page-wasm     the stages anew as the module that the page carries; needs clang and lld
+page-wasm:
+	sh tests/page/wasm/build.sh build $(MODULE)
+	sh tests/page/wasm/build.sh sources > $(MODULE:base64=sources)
 
 #: make bench         speed and accuracy of all stages on all scenes, to build/bench.csv
 bench: $(BUILD)/texmap
@@ -124,10 +128,16 @@ $(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) $(BUILD)/flags
 	$(call compile,-DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$* \
 		-Dstage$*_draw_triangle=trace$*_draw_triangle)
 
-# The page of `texmap report`: its files, as one C file.
-$(BUILD)/page.c: tests/page/embed.sh $(sort $(wildcard tests/page/*.html tests/page/*.css tests/page/*.js))
+# The page of `texmap report`: its files as one C file, and stages 1 to 4 as WebAssembly, made anew
+# where clang and wasm-ld are.
+MODULE = tests/page/wasm/stages.wasm.base64
+$(BUILD)/page/stages.wasm.base64: $(MODULE) $(shell sh tests/page/wasm/build.sh list)
 	@mkdir -p $(@D)
-	@sh $^ > $@.new && mv $@.new $@
+	$(call say,WASM) sh tests/page/wasm/build.sh choose $@
+
+$(BUILD)/page.c: tests/page/embed.sh $(sort $(wildcard tests/page/*.html tests/page/*.css \
+		tests/page/*.js)) $(wildcard stage[1-4]_*/rasterize.c) $(BUILD)/page/stages.wasm.base64
+	$(call say,PAGE) sh $^ $(BUILD)/page/module-note.html > $@.new && mv $@.new $@
 
 $(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags
 	$(compile)
@@ -166,7 +176,7 @@ pictures: $(BUILD)/texmap
 	@sh tests/lessons/pictures.sh $(BUILD)/texmap
 
 #: make test-page     the page in headless Chromium, held against the program's own numbers
-test-page: $(BUILD)/texmap $(BUILD)/stability
+test-page: $(BUILD)/texmap
 	@sh tests/page/test.sh $(BUILD)
 
 #: make test-exercises  are the exercises' starting points failed, and their solutions passed?

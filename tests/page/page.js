@@ -1,5 +1,4 @@
-/* Brings the page to life, part by part. What goes wrong is said on the page, not only in the
- * console. */
+/* Brings the page to life. What goes wrong is said on the page, not only in the console. */
 
 const faults = [];
 
@@ -13,13 +12,22 @@ addEventListener("error", (event) => fault(event.message));
 addEventListener("unhandledrejection", (event) => fault(event.reason));
 
 async function start() {
-  const page = { stepper: new Stepper(), chords: new Chords(), speed: new Speed(),
-    cases: new Cases() };
-  page.swim = await Swim.load();
-  page.panels = new Panels(await Room.load());
-  if (location.hash === "#selftest") {
-    await selftest(page);
-  }
+  document.documentElement.classList.add("script");
+  const page = { stages: await Stages.load() };
+  page.cases = new Cases(page.stages);
+  page.stepper = new Stepper(page.stages, page.cases);
+  page.ready = performance.now();
+  page.swim = new Swim(await Stages.load()); /* memory of its own: it runs beside the stepper */
+  page.pictures = new Pictures(await Stages.load());
+  await page.pictures.load();
+  addEventListener("hashchange", () => Address.read());
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    Object.keys(colours).forEach((name) => delete colours[name]);
+    dispatchEvent(new Event("resize"));
+  });
+  Address.read();
+  page.loaded = true;
+  window.page = page; /* for tests, and for curious readers */
 }
 
 start();

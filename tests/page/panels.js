@@ -1,245 +1,283 @@
-/* Every stage's picture, error map and difference from the stage before: one cursor, one zoom. */
+/* What stands around the stepper's figure: why, values, sources, all stages small, costs, chords. */
 
-const OTHER_SURFACE = 255; /* than the exact answer shows */
-const TEXTURE_NONE = 255;
-const ZOOM_MAX = 32;
-const MAIN_SCALE = 2; /* the large panel's pixels for each of the picture's, at zoom 1 */
-const KINDS = ["picture", "error", "change"];
-
-/* Colours by how many texels apart, doubling; as `texmap diff` has them. */
-const DISTANCE_COLOURS = [[32, 96, 255], [0, 192, 255], [0, 255, 96], [255, 255, 0], [255, 144, 0],
-  [255, 32, 0]];
-const DISTANCE_NAMES = ["1", "2\u20133", "4\u20137", "8\u201315", "16\u201331", "32 or more"];
-const OTHER_COLOUR = [255, 0, 255];
-
-function distanceColour(distance) {
-  return distance === OTHER_SURFACE ? OTHER_COLOUR
-    : DISTANCE_COLOURS[Math.min(Math.floor(Math.log2(distance)), DISTANCE_COLOURS.length - 1)];
-}
-
-/* What the stages drew: the room's planes, asked by stage and pixel. The last "stage" is the exact
- * answer. */
-class Room {
-  constructor(data, planes, textures) {
-    Object.assign(this, data, { planes, textures });
-    this.exact = data.stages.length;
-  }
-
-  static async load() {
-    const data = dataOf("room");
-    return new Room(data, await unpack(data.planes), await unpack(data.textures));
-  }
-
-  value(plane, stage, x, y) {
-    return this.planes[((y * 4 + plane) * (this.exact + 1) + stage) * this.width + x];
-  }
-
-  pixel(stage, x, y) {
-    return { u: this.value(0, stage, x, y), v: this.value(1, stage, x, y),
-      texture: this.value(2, stage, x, y), error: this.value(3, stage, x, y) };
-  }
-
-  colour(pixel) {
-    if (pixel.texture === TEXTURE_NONE) {
-      return [0, 0, 0];
-    }
-    const at = 3 * ((pixel.texture * this.side + pixel.v) * this.side + pixel.u);
-    return this.textures.subarray(at, at + 3);
-  }
-
-  /* Texels between what two stages show in a pixel, on the axis where they differ more. */
-  distance(a, b) {
-    if (a.texture !== b.texture) {
-      return OTHER_SURFACE;
-    }
-    return Math.max(Math.abs(wrapped(a.u, b.u, this.side)), Math.abs(wrapped(a.v, b.v, this.side)));
-  }
-
-  /* How far off one kind of panel says that a pixel is; null for pictures. */
-  off(kind, stage, x, y) {
-    if (kind === "picture") {
-      return null;
-    }
-    const pixel = this.pixel(stage, x, y);
-    return kind === "error" ? pixel.error : this.distance(this.pixel(stage - 1, x, y), pixel);
-  }
-
-  paint(kind, stage) {
-    const canvas = element("canvas", { width: this.width, height: this.height });
-    const context = canvas.getContext("2d");
-    const image = context.createImageData(this.width, this.height);
-    for (let y = 0, at = 0; y < this.height; y++) {
-      for (let x = 0; x < this.width; x++, at += 4) {
-        const off = this.off(kind, stage, x, y);
-        const colour = off ? distanceColour(off) : this.colour(this.pixel(stage, x, y));
-        const dim = off === 0 ? 4 : 1;
-        for (let i = 0; i < 3; i++) {
-          image.data[at + i] = colour[i] / dim;
-        }
-        image.data[at + 3] = 255;
-      }
-    }
-    context.putImageData(image, 0, 0);
-    return canvas;
-  }
-}
+const LINES_SHOWN = 16; /* of source */
+const CHORDS_HEIGHT = 300;
 
 class Panels {
-  constructor(room) {
-    this.room = room;
-    this.x = Math.floor(room.width * 0.62);
-    this.y = Math.floor(room.height * 0.55);
-    this.left = this.top = 0;
-    this.zoom = 1;
-    this.views = [];
-    for (let stage = 0; stage <= room.exact; stage++) {
-      for (const kind of stage === room.exact ? ["picture"] : KINDS) {
-        this.addView(kind, stage);
+  constructor(choose) {
+    this.choose = choose;
+    this.thumbs = new Map();
+    for (const stage of STAGES.filter((one) => one.number !== 6)) {
+      const canvas = element("canvas", { "aria-hidden": "true" }), says = element("span");
+      const name = stage.number === EXACT ? "Exact" : `Stage ${stage.number}: ${stage.name}`;
+      const thumb = element(STEPPED.includes(stage.number) ? "button" : "div",
+        { class: "thumb", ...(STEPPED.includes(stage.number) ? { type: "button" } : {}) },
+        element("b", {}, name), canvas, says);
+      if (STEPPED.includes(stage.number)) {
+        thumb.addEventListener("click", () => choose(stage.number));
+      }
+      byId("thumbs").append(thumb);
+      this.thumbs.set(stage.number, { thumb, canvas, says });
+    }
+    this.sources = STEPPED.map((n) => byId(`source-${n}`).textContent.split("\n"));
+    this.shown = {};
+  }
+
+  draw(stepper, event) {
+    this.drawWhy(stepper, event);
+    this.drawThumbs(stepper);
+    clearTimeout(this.waiting); /* every stage is traced for it: not while a vertex is dragged */
+    this.waiting = setTimeout(() => this.drawCosts(stepper), 80);
+    new Chords(stepper, event).draw();
+  }
+
+  drawWhy({ run, state, stages, earlier }, event) {
+    const why = event ? explain(run, state.at, exactOf(stages, event))
+      : { title: "Nothing to draw", text: "The triangle has no area, once its vertices are rounded.",
+        formulas: [] };
+    byId("why-title").textContent = why.title;
+    byId("why-text").textContent = why.text;
+    byId("why-formulas").replaceChildren(...why.formulas.map((text) =>
+      element("p", { class: "formula" }, text)));
+    drawValues(byId("why-values"), event, event && run.at(event.before));
+    this.drawSource(byId("source-now"), state.stage, event);
+    const same = event && earlier && sameStep(run, event, earlier);
+    byId("source-before").hidden = !earlier;
+    if (earlier) {
+      this.drawSource(byId("source-before"), state.stage - 1, earlier.at(same));
+      byId("source-before").querySelector(".formulas").replaceChildren(...(same === undefined
+        ? [element("p", {}, "Stage " + (state.stage - 1) + " has no such step.")]
+        : explain(earlier, same, exactOf(stages, earlier.at(same))).formulas.map((text) =>
+          element("p", { class: "formula" }, text))));
+    }
+  }
+
+  /* The stage's file, the line that was run in sight and marked. */
+  drawSource(place, stage, event) {
+    const lines = this.sources[stage - 1], pre = place.querySelector("pre");
+    if (pre.dataset.stage !== String(stage)) {
+      pre.dataset.stage = stage;
+      pre.replaceChildren(...lines.map((text, i) => element("span",
+        { class: `source${/^ *TRACE_/.test(text) ? " trace" : ""}` },
+        `${String(i + 1).padStart(3)}   ${text}\n`)));
+    }
+    pre.querySelectorAll(".run").forEach((node) => node.classList.remove("run"));
+    const block = event ? statementsOf(lines, event) : [];
+    block.forEach((i) => pre.children[i].classList.add("run"));
+    if (block.length) {
+      const first = pre.children[block[0]], height = first.offsetHeight;
+      pre.scrollTop = first.offsetTop - Math.max(LINES_SHOWN - block.length, 1) / 2 * height;
+    }
+    place.querySelector("figcaption").textContent = `${stageOf(stage).folder}/rasterize.c` +
+      (event ? `: the line that reports this step is ${event.line}` : "");
+  }
+
+  drawThumbs({ results, state, list, measured }) {
+    for (const [n, { thumb, canvas, says }] of this.thumbs) {
+      const result = results.get(standIn(n));
+      const window = fit([state.v], state.size);
+      const cell = Math.min((canvas.clientWidth || 180) / window.w, 160 / window.h);
+      const [c] = context(canvas, Math.ceil(cell * window.h));
+      drawSmall(c, result, window, cell, state.size[0]);
+      if (STEPPED.includes(n)) {
+        thumb.setAttribute("aria-pressed", String(n === state.stage));
+      }
+      says.textContent = n === EXACT ? "what every stage is held against"
+        : n === 5 ? "stage 4's frame, bit for bit"
+          : measured && list.length ? verdict(result) : "";
+    }
+  }
+
+  drawCosts(stepper) {
+    const table = byId("costs"), { state, run } = stepper;
+    const head = element("tr", {}, ...["", "divides", "float to int", "multiplications", "additions"]
+      .map((text) => element("th", { scope: "col" }, text)));
+    const row = (name, counts, now) => element("tr", now ? { class: "now" } : {},
+      element("th", { scope: "row" }, name), ...counts.map((n) => element("td", {}, String(n))));
+    const rows = STEPPED.map((n) => row(`Stage ${n}, in all`,
+      costs(n === state.stage ? run : stepper.trace(n), Infinity), n === state.stage));
+    table.replaceChildren(element("thead", {}, head), element("tbody", {},
+      row(`Stage ${state.stage}, so far`, costs(run, state.at), true), ...rows));
+  }
+}
+
+/* The lines that computed what the trace call in an event's line reports: those above it, to the
+ * last blank line, comment or brace; of a pixel its store, in the line below. */
+function statementsOf(lines, event) {
+  let first = event.line - 1, end = event.line;
+  while (first > 0 && /[^\s{}/]\s*(\/\*.*\*\/)?$/.test(lines[first - 1])) {
+    first -= 1;
+  }
+  end += KINDS[event.kind] === "pixel" ? 1 : 0;
+  return Array.from({ length: end - first }, (_, i) => first + i);
+}
+
+function exactOf(stages, event) {
+  return event.x === undefined ? null : stages.exactAt(event.triangle || 0, event.x, event.y);
+}
+
+/* The number of the step in the stage before that does the same; undefined where none does. */
+function sameStep(run, event, earlier) {
+  const name = KINDS[event.kind];
+  if (name === "pixel" || name === "segment") {
+    return earlier.order.get(event.pixel);
+  }
+  const same = (other) => other.kind === event.kind && other.side === event.side &&
+    (other.y === event.y || name === "gradients");
+  const found = earlier.events.findIndex(same);
+  return found < 0 ? undefined : found;
+}
+
+/* What the step left in the stage's variables, and what was there before; the changed marked. */
+function drawValues(table, event, before) {
+  const all = Object.entries(event ? event.v : {}).filter(([name]) => !/^y$|short/.test(name));
+  const rows = all.map(([name, value]) => {
+    const was = before ? before.v[name] : undefined, changed = before && was !== value;
+    return element("tr", changed ? { class: "changed" } : {},
+      element("th", { scope: "row" }, (changed ? "\u25cf " : "") + name),
+      element("td", {}, before ? show(was) : ""), element("td", {}, show(value)));
+  });
+  table.replaceChildren(element("thead", {}, element("tr", {}, element("th", { scope: "col" },
+    "variable"), element("th", { scope: "col" }, "before"), element("th", { scope: "col" }, "now"))),
+  element("tbody", {}, ...rows));
+}
+
+function drawSmall(c, { frame, errors }, window, cell, width) {
+  for (let y = window.y; y < window.y + window.h; y++) {
+    for (let x = window.x; x < window.x + window.w; x++) {
+      const i = y * width + x, error = errors ? errorAt(errors, i) : 0;
+      if (frame[i] || error) {
+        c.fillStyle = error ? colour(errorClass(error)) : texelColour(frame[i], 0);
+        c.fillRect((x - window.x) * cell, (y - window.y) * cell, Math.max(cell, 0.6),
+          Math.max(cell, 0.6));
       }
     }
-    byId("thumbs").append(element("div", { class: "blank" }));
-    this.main = byId("main-canvas");
-    this.main.width = MAIN_SCALE * room.width;
-    this.main.height = MAIN_SCALE * room.height;
-    this.listen();
-    this.showLegend();
-    this.choose(this.views[0]);
   }
+}
 
-  addView(kind, stage) {
-    if (kind === "change" && stage === 0) {
-      byId("thumbs").append(element("div"));
-      return;
+/* Errors by lightness, so that everyone can order them. */
+const ERROR_CLASSES = [["error-1", "1 texel"], ["error-2", "2 or 3 texels"],
+  ["error-4", "4 texels or more"], ["error-other", "missing, or too many"]];
+function errorClass(error) {
+  return error === OTHER_SURFACE ? "error-other" : error >= 4 ? "error-4"
+    : error >= 2 ? "error-2" : "error-1";
+}
+
+/* One scanline: the curve u(x), what the stage has for it, and the difference, enlarged. */
+class Chords {
+  constructor(stepper, event) {
+    const { run } = stepper;
+    this.run = run;
+    this.span = event && event.span !== undefined ? run.at(event.span) : run.events
+      .find((one) => KINDS[one.kind] === "span");
+    if (this.span) {
+      const v = this.span.v, at = (p, key) => v[key] + p * v[`${key}_dx`];
+      this.first = this.span.first;
+      this.count = this.span.end - this.span.first;
+      this.curve = (p) => at(p, "u_over_z") / at(p, "one_over_z");
+      this.pixels = run.events.filter((one) => KINDS[one.kind] === "pixel" && one.y === this.span.y);
+      this.segments = run.events.filter((one) => KINDS[one.kind] === "segment" &&
+        one.y === this.span.y);
     }
-    const { room } = this;
-    const digit = stage < room.exact ? room.stages[stage].digit : "";
-    const name = stage === room.exact ? "exact answer" : kind === "picture" ? `stage ${digit}`
-      : kind === "error" ? `${digit}: error` : `${digit} against ${room.stages[stage - 1].digit}`;
-    const canvas = element("canvas", { width: room.width, height: room.height });
-    const button = element("button", { "aria-pressed": "false" }, canvas, name);
-    const view = { kind, stage, name, canvas, button, source: room.paint(kind, stage) };
-    button.addEventListener("click", () => this.choose(view));
-    byId("thumbs").append(button);
-    this.views.push(view);
   }
 
-  choose(view) {
-    this.chosen = view;
-    for (const other of this.views) {
-      other.button.setAttribute("aria-pressed", String(other === view));
-    }
-    this.draw();
-  }
-
-  listen() {
-    const panel = byId("main-panel");
-    const point = (event) => this.point(event);
-    panel.addEventListener("pointermove", point);
-    panel.addEventListener("pointerdown", point);
-    panel.addEventListener("keydown", (event) => this.key(event));
-    byId("zoom-in").addEventListener("click", () => this.setZoom(this.zoom * 2));
-    byId("zoom-out").addEventListener("click", () => this.setZoom(this.zoom / 2));
-  }
-
-  point(event) {
-    const box = this.main.getBoundingClientRect();
-    const across = (event.clientX - box.left) / box.width / this.zoom;
-    const down = (event.clientY - box.top) / box.height / this.zoom;
-    this.move(Math.floor(this.left + across * this.room.width),
-      Math.floor(this.top + down * this.room.height));
-  }
-
-  key(event) {
-    const step = event.shiftKey ? 10 : 1;
-    const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
-      ArrowDown: [0, step] };
-    if (event.key in moves) {
-      this.move(this.x + moves[event.key][0], this.y + moves[event.key][1]);
-    } else if (event.key === "+" || event.key === "=") {
-      this.setZoom(this.zoom * 2);
-    } else if (event.key === "-") {
-      this.setZoom(this.zoom / 2);
-    } else {
-      return;
-    }
-    event.preventDefault();
-  }
-
-  /* Moves the cursor, and what is seen only where the cursor would leave it. */
-  move(x, y) {
-    const { width, height } = this.room;
-    this.x = Math.max(0, Math.min(x, width - 1));
-    this.y = Math.max(0, Math.min(y, height - 1));
-    const [across, down] = [width / this.zoom, height / this.zoom];
-    this.left = Math.max(this.x + 1 - across, Math.min(this.left, this.x));
-    this.top = Math.max(this.y + 1 - down, Math.min(this.top, this.y));
-    this.draw();
-  }
-
-  /* Zooms about the cursor. */
-  setZoom(zoom) {
-    const { width, height } = this.room;
-    this.zoom = Math.max(1, Math.min(zoom, ZOOM_MAX));
-    const [across, down] = [width / this.zoom, height / this.zoom];
-    this.left = Math.max(0, Math.min(Math.round(this.x - across / 2), width - across));
-    this.top = Math.max(0, Math.min(Math.round(this.y - down / 2), height - down));
-    byId("zoom-says").textContent = `${this.zoom}\u00D7`;
-    this.draw();
-  }
-
-  drawView(view, canvas) {
-    const { width, height } = this.room;
-    const context = canvas.getContext("2d");
-    const scale = this.zoom * canvas.width / width;
-    context.imageSmoothingEnabled = false;
-    context.drawImage(view.source, this.left, this.top, width / this.zoom, height / this.zoom, 0, 0,
-      canvas.width, canvas.height);
-    const size = Math.max(scale, 5), grow = (size - scale) / 2;
-    const x = (this.x - this.left) * scale - grow, y = (this.y - this.top) * scale - grow;
-    context.lineWidth = 1;
-    context.strokeStyle = "#000";
-    context.strokeRect(x - 1.5, y - 1.5, size + 3, size + 3);
-    context.strokeStyle = "#fff";
-    context.strokeRect(x - 0.5, y - 0.5, size + 1, size + 1);
+  /* What the stage's u is along the span: [p, u] points. */
+  chord() {
+    return this.segments.length
+      ? this.segments.flatMap(({ x, v }) => [[x - this.first, v.u],
+        [x - this.first + v.length, v.u_end]])
+      : this.pixels.map(({ x, v }) => [x - this.first, v.u]);
   }
 
   draw() {
-    for (const view of this.views) {
-      this.drawView(view, view.canvas);
+    const [c, width] = context(byId("chords"), CHORDS_HEIGHT);
+    const says = byId("chords-text");
+    if (!this.curve || this.count < 1) {
+      says.textContent = "Step to a scanline with pixels on it.";
+      return;
     }
-    this.drawView(this.chosen, this.main);
-    byId("main-caption").textContent = `Shown large: ${this.chosen.name}.`;
-    this.showPixel();
+    const chord = this.chord();
+    const off = (p) => between(chord, p) - this.curve(p);
+    const parts = this.segments.length ? 4 : 1; /* elsewhere nothing is between two pixels */
+    const fine = Array.from({ length: parts * (this.count - 1) + 1 }, (_, i) => i / parts);
+    const worst = Math.max(...fine.map((p) => Math.abs(off(p))));
+    const bound = Math.max(0, ...this.segments.map((one) => chordOf(this.run, one).bound));
+    says.textContent = `Scanline ${this.span.y}, ${plural(this.count, "pixel")}. Above: u, the ` +
+      "curve, and what the stage has for it. Below: the difference" + (this.segments.length
+      ? `, at most ${show(worst, 3)} texel; the bound |du| (\u221ar \u2212 1)/(\u221ar + 1) is ` +
+        `${show(bound, 3)} for the steepest segment.`
+      : ": this stage divides at every pixel, so nothing but rounding is left.");
+    const values = fine.map(this.curve);
+    const upper = plot(c, [44, 12, width - 54, 150], [0, Math.max(this.count - 1, 1)],
+      [Math.min(...values), Math.max(...values)], "u");
+    upper.path(fine.map((p) => [p, this.curve(p)]), "accent", 2.5, []);
+    if (this.segments.length) {
+      upper.path(chord, "warn", 2, [7, 4]);
+    }
+    chord.forEach((point) => upper.dot(point, "warn"));
+    const high = Math.max(worst, bound, 0.01);
+    const lower = plot(c, [44, 196, width - 54, 80], [0, Math.max(this.count - 1, 1)],
+      [-high, high], "error");
+    if (this.segments.length) {
+      lower.path(fine.map((p) => [p, off(p)]), "wrong", 2, []);
+    } else {
+      fine.forEach((p) => lower.dot([p, off(p)], "wrong"));
+    }
+    for (const segment of this.segments) {
+      const own = chordOf(this.run, segment).bound, p = segment.x - this.first, v = segment.v;
+      for (const sign of [-1, 1]) {
+        lower.path([[p, sign * own], [p + v.length, sign * own]], "ink", 1.2, [2, 4]);
+      }
+    }
+    c.fillStyle = colour("soft");
+    c.textAlign = "left";
+    c.fillText(`x = ${this.first}`, 44, 290);
+    c.textAlign = "right";
+    c.fillText(`${this.first + this.count - 1}`, width - 10, 290);
   }
+}
 
-  showPixel() {
-    const { room, x, y } = this;
-    const rows = room.stages.map((stage, i) => this.pixelRow(stage, room.pixel(i, x, y)));
-    const exact = room.pixel(room.exact, x, y);
-    rows.push(tableRow("exact", this.texel(exact).concat("", "")));
-    byId("pixel-table").tBodies[0].replaceChildren(...rows);
-    byId("pixel-says").textContent = exact.texture === TEXTURE_NONE
-      ? `Pixel ${x}, ${y}: nothing is there.`
-      : `Pixel ${x}, ${y}: the right texel is ${exact.u}, ${exact.v}.`;
+/* The line through points, at p. */
+function between(points, p) {
+  const i = Math.max(points.findIndex(([x]) => x >= p), 0);
+  if (i === 0 || points[i][0] === p) {
+    return points[i][1];
   }
+  const [x0, y0] = points[i - 1], [x1, y1] = points[i];
+  return y0 + (y1 - y0) * (p - x0) / (x1 - x0);
+}
 
-  texel(pixel) {
-    return pixel.texture === TEXTURE_NONE ? ["\u2013", "\u2013"]
-      : [String(pixel.u), String(pixel.v)];
+/* A frame with a vertical scale, and how to draw into it. */
+function plot(c, [left, top, width, height], [x0, x1], [y0, y1], name) {
+  const at = ([x, y]) => [left + width * (x - x0) / (x1 - x0),
+    top + height * (1 - (y - y0) / (y1 - y0 || 1))];
+  c.strokeStyle = colour("line");
+  c.strokeRect(left, top, width, height);
+  c.fillStyle = colour("soft");
+  c.textAlign = "right";
+  c.textBaseline = "middle";
+  c.fillText(show(y1, 3), left - 4, top + 6);
+  c.fillText(show(y0, 3), left - 4, top + height - 6);
+  c.fillText(name, left - 4, top + height / 2);
+  if (y0 < 0 && y1 > 0) {
+    line(c, left, at([x0, 0])[1], left + width, at([x0, 0])[1], colour("line"));
   }
-
-  pixelRow(stage, pixel) {
-    const off = pixel.error === OTHER_SURFACE ? "other surface" : String(pixel.error);
-    return tableRow(`${stage.digit}`, this.texel(pixel).concat(
-      [[off, pixel.error ? "wrong" : ""], `${stage.wrong_texel_pct.toFixed(1)} %`]));
-  }
-
-  showLegend() {
-    const colours = DISTANCE_COLOURS.concat([OTHER_COLOUR]);
-    const names = DISTANCE_NAMES.concat(["another surface"]);
-    const items = colours.map((colour, i) => element("li", {},
-      element("span", { style: `background: rgb(${colour})` }), names[i]));
-    byId("legend").append(element("li", {}, "Texels off:"), ...items,
-      element("li", {}, "(dimmed: right, or the same)"));
-  }
+  return {
+    at,
+    path(points, stroke, size, dash) {
+      c.beginPath();
+      points.forEach((point) => c.lineTo(...at(point)));
+      c.strokeStyle = colour(stroke);
+      c.lineWidth = size;
+      c.setLineDash(dash);
+      c.stroke();
+      c.setLineDash([]);
+    },
+    dot(point, fill) {
+      c.beginPath();
+      c.arc(...at(point), 3, 0, 7);
+      c.fillStyle = colour(fill);
+      c.fill();
+    },
+  };
 }

@@ -1,5 +1,5 @@
-/* The page's template is tests/page/page.html, in which a line @NAME@ stands for a file beside it or
- * for a part of the data. */
+/* The page's template is tests/page/page.html, in which a line @NAME@ stands for a file of the page,
+ * for a stage's source, or for a part that is measured. */
 #define _POSIX_C_SOURCE 200809L
 #include "tests/page/report.h"
 
@@ -14,10 +14,8 @@ struct part {
 };
 
 static const struct part parts[] = {
-    {"room", "the room, through all stages", report_room},
-    {"steps", "a triangle, step by step", report_steps},
-    {"chords", "a scanline of stage 4", report_chords},
-    {"swim", "a triangle that moves, in 128 frames", report_swim},
+    {"accuracy", "the room, through all stages", report_accuracy},
+    {"pictures", "the pictures", report_pictures},
     {"speed", "speed and accuracy on all scenes, about 10 seconds", report_speed},
     {"cases", "the cases in which a method fails, about 10 seconds", report_cases},
 };
@@ -46,8 +44,14 @@ static const struct part *part_find(const char *name, size_t length)
 
 static void print_file(FILE *out, const struct page_file *file)
 {
+    const bool source = strchr(file->name, '/'); /* a stage's: to be read, not run */
+
     for (const char *const *line = file->lines; *line; line++) {
-        fputs(*line, out);
+        if (source) {
+            html_text(out, *line);
+        } else {
+            fputs(*line, out);
+        }
     }
 }
 

@@ -1,10 +1,12 @@
-/* The page of `texmap report`: one HTML file that needs nothing else. */
+/* The page of `texmap report`: one HTML file that needs nothing else. Its tables and pictures are
+ * made here, from real runs; what moves on it is the stages' own code, compiled to WebAssembly. */
 #ifndef TESTS_REPORT_H
 #define TESTS_REPORT_H
 
 #include <stddef.h>
 #include <stdio.h>
 #include "tests/files/error.h"
+#include "common/image.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
@@ -13,28 +15,22 @@ typedef void report_progress(const char *doing);
  * free; NULL with `error` set on failure. `progress` may be NULL. */
 char *report_make(report_progress *progress, size_t *size, struct error *error);
 
-/* A part of the page's data: prints one JSON value. */
+/* A part of the page: prints HTML. */
 typedef bool report_part(FILE *out, struct error *error);
 
-report_part report_room;   /* what all stages draw, texel by texel, and how accurate they are */
-report_part report_steps;  /* one small triangle, traced through stages 1 to 4 */
-report_part report_chords; /* one scanline of stage 4, 80 pixels long and steep */
-report_part report_swim;   /* stages 2 and 3 while a triangle moves */
-report_part report_speed;  /* a short benchmark, and its chart */
-report_part report_cases;  /* the stability table; null where tests/cases/ is not at hand */
+report_part report_accuracy; /* of the room, in all stages */
+report_part report_pictures; /* the room itself */
+report_part report_speed;    /* a short benchmark, and its chart */
+report_part report_cases;    /* the stability table; a line where tests/cases/ is not at hand */
 
-/* JSON: a string; a number, null for NAN; and bytes, packed by deflate, as a string in base64.
- * None of them holds a `<`, so that the page can hold them. The last is false when there is no
+/* Text in HTML; bytes in base64; a picture as an address. The last is false when there is no
  * memory. */
-void json_string(FILE *out, const char *text);
-void json_number(FILE *out, double number);
-bool json_packed(FILE *out, const unsigned char *bytes, size_t size);
+void html_text(FILE *out, const char *text);
+void html_base64(FILE *out, const unsigned char *bytes, size_t size);
+bool html_png(FILE *out, const struct image *image);
 
-/* Bytes in base64, without quotes. */
-void print_base64(FILE *out, const unsigned char *bytes, size_t size);
-
-/* The page's own files, tests/report/, as the build put them into the program: see
- * tests/page/embed.sh. */
+/* The page's own files, tests/page/, and the stages' sources, as the build put them into the
+ * program: see tests/page/embed.sh. */
 struct page_file {
     const char *name;
     const char *const *lines; /* each with its newline; ends with NULL */

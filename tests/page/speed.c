@@ -44,8 +44,7 @@ static void print_machine(FILE *out, const void *nothing)
     machine_print(out, "");
 }
 
-/* The chart as `texmap chart` would draw it from the benchmark's CSV file, and as an address that
- * holds the whole picture. */
+/* The chart as `texmap chart` would draw it from the benchmark's CSV file. */
 static bool print_picture(FILE *out, const char *csv_text, struct error *error)
 {
     struct csv csv;
@@ -60,9 +59,11 @@ static bool print_picture(FILE *out, const char *csv_text, struct error *error)
         svg = text_of(print_chart, &chart, &size);
         chart_destroy(&chart);
         if (svg) {
-            fputs("\"data:image/svg+xml;base64,", out);
-            print_base64(out, (const unsigned char *)svg, size);
-            fputs("\"", out);
+            fputs("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Chart\">"
+                  "<img id=\"chart\" alt=\"Error against time, a panel for each scene; the "
+                  "numbers stand in the table below\" src=\"data:image/svg+xml;base64,", out);
+            html_base64(out, (const unsigned char *)svg, size);
+            fputs("\"></div>\n", out);
         } else {
             error_set(error, "report: no memory for the chart");
         }
@@ -72,16 +73,32 @@ static bool print_picture(FILE *out, const char *csv_text, struct error *error)
     return svg;
 }
 
+/* ns a pixel; wrong texels; position. */
 static void print_row(FILE *out, const struct bench_row *row)
 {
-    fprintf(out, "{\"scene\":\"%s\",\"stage\":\"%s\",\"ns_per_pixel\":", row->source->name,
-            row->stage->name);
-    json_number(out, bench_ns_per_pixel(row, row->ns_min));
-    fprintf(out, ",\"wrong_texel_pct\":");
-    json_number(out, row->accuracy.wrong_texel_pct);
-    fprintf(out, ",\"position_rms\":");
-    json_number(out, row->accuracy.position_rms);
-    fprintf(out, "}");
+    const struct accuracy *a = &row->accuracy;
+
+    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%s</td><td>%.2f</td><td>%.3g %%</td>",
+            row->source->name, row->stage->name, bench_ns_per_pixel(row, row->ns_min),
+            a->wrong_texel_pct);
+    if (a->position_rms < a->ruler_step) {
+        fprintf(out, "<td>&lt; 1/%d</td></tr>\n", (int)(1 / a->ruler_step));
+    } else {
+        fprintf(out, "<td>%.3f</td></tr>\n", a->position_rms);
+    }
+}
+
+static void print_table(FILE *out, const struct bench *bench)
+{
+    fprintf(out, "<details><summary>The same as a table</summary><div class=\"scroll\" "
+            "tabindex=\"0\" role=\"group\" aria-label=\"Speed\"><table><thead><tr>"
+            "<th scope=\"col\">scene</th><th scope=\"col\">stage</th>"
+            "<th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels</th>"
+            "<th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n");
+    for (int i = 0; i < bench->row_count; i++) {
+        print_row(out, &bench->rows[i]);
+    }
+    fprintf(out, "</tbody></table></div></details>\n");
 }
 
 static bool print_bench(FILE *out, const struct bench *bench, struct error *error)
@@ -92,17 +109,14 @@ static bool print_bench(FILE *out, const struct bench *bench, struct error *erro
     bool printed = csv && machine;
 
     if (printed) {
-        fprintf(out, "{\"size\":\"%dx%d\",\"rounds\":%d,\"machine\":", WIDTH, HEIGHT,
-                bench->rounds);
-        json_string(out, machine);
-        fprintf(out, ",\n\"rows\":[");
-        for (int i = 0; i < bench->row_count; i++) {
-            fputs(i > 0 ? ",\n" : "", out);
-            print_row(out, &bench->rows[i]);
-        }
-        fprintf(out, "],\n\"chart\":");
+        fprintf(out, "<p>Time for a pixel, and how far it is from the right place: %dx%d pixels, "
+                "the best of %d rounds. Compare within this run only. Down and to the left is "
+                "better.</p>\n", WIDTH, HEIGHT, bench->rounds);
         printed = print_picture(out, csv, error);
-        fprintf(out, "}");
+        print_table(out, bench);
+        fprintf(out, "<pre class=\"hint\" tabindex=\"0\" aria-label=\"The machine\">");
+        html_text(out, machine);
+        fprintf(out, "</pre>\n");
     } else {
         error_set(error, "report: no memory for the benchmark");
     }

@@ -1,150 +1,277 @@
-/* One triangle, step by step, from the traces of stages 1 to 4. */
+/* The stepper: one triangle, any stage, step by step, and all stages beside each other. */
 
-function isWrong(pixel) {
-  return pixel.texel_u !== pixel.exact_texel_u || pixel.texel_v !== pixel.exact_texel_v;
-}
-
-/* The steps of a trace, in drawing order: a row's edges; in stage 4 a segment; each pixel. `drawn`
- * counts the pixels that are there after the step. */
-function stepsOf(trace) {
-  const steps = [];
-  let drawn = 0;
-  for (const row of trace.rows) {
-    steps.push({ kind: "row", row, drawn, pixels: [] });
-    for (const pixel of row.pixels) {
-      const segment = row.segments.find((s) => s.x === pixel.x);
-      if (segment) {
-        const pixels = row.pixels.filter((p) => p.x >= segment.x &&
-          p.x < segment.x + segment.count);
-        steps.push({ kind: "segment", row, segment, drawn, pixels });
-      }
-      steps.push({ kind: "pixel", row, drawn: ++drawn, pixels: [pixel] });
-    }
-  }
-  return steps;
-}
-
-/* What a table shows of each kind of step: [label, field, field of the exact answer]. */
-const EDGE_ROWS = [["x", "x"], ["x step", "x_step"], ["error", "error"],
-  ["+ numerator", "numerator"], ["of denominator", "denominator"], ["1/z", "one_over_z"],
-  ["u/z", "u_over_z"], ["v/z", "v_over_z"]];
-const VALUE_ROWS = {
-  row: [["1/z", "one_over_z"], ["u/z", "u_over_z"], ["v/z", "v_over_z"],
-    ["d(1/z)/dx", "one_over_z_dx"], ["d(u/z)/dx", "u_over_z_dx"], ["d(v/z)/dx", "v_over_z_dx"]],
-  segment: [["u at its start", "u"], ["v at its start", "v"], ["u at its end", "u_end"],
-    ["v at its end", "v_end"], ["u step, 16.16", "u_step_16_16"],
-    ["v step, 16.16", "v_step_16_16"]],
-  pixel: [["1/z", "one_over_z"], ["u/z", "u_over_z"], ["v/z", "v_over_z"], ["z", "z", "exact_z"],
-    ["u", "u", "exact_u"], ["v", "v", "exact_v"], ["u 16.16 + half", "u_16_16"],
-    ["v 16.16 + half", "v_16_16"], ["texel u", "texel_u", "exact_texel_u"],
-    ["texel v", "texel_v", "exact_texel_v"]],
-};
+const FIRST = { size: [26, 12], v: [1.703125, 1.421875, 1, 0, 0, 24.296875, 3.234375, 4, 31, 3,
+  8.640625, 10.703125, 2, 8, 20] };
+const NEAR = 24; /* pixels across the view around a step */
+const STEPPED = [1, 2, 3, 4];
 
 class Stepper {
-  constructor() {
-    const { width, height, traces } = dataOf("steps");
-    this.views = traces.map((trace) => ({ trace, steps: stepsOf(trace),
-      figure: new TriangleFigure(width, height, trace) }));
-    this.buttons = this.views.map((view, i) => {
-      const button = element("button", {}, `Stage ${i + 1}`);
-      button.addEventListener("click", () => this.choose(i));
-      return button;
-    });
-    byId("step-stages").append(...this.buttons);
-    this.view = this.views[0];
-    this.step = Math.floor(this.view.steps.length * 0.4); /* begins where there is much to see */
+  constructor(stages, cases) {
+    this.stages = stages;
+    this.cases = cases;
+    this.state = { stage: 2, at: 0, length: 16, snap: 0, case: "", triangle: 0, before: false,
+      size: FIRST.size, v: FIRST.v.slice(), view: "fit" };
+    this.figure = new Figure((i, x, y) => this.move(i, x, y), (x, y) => this.pick(x, y),
+      (event) => this.key(event));
+    this.stageChoice = new Choice("step-stage",
+      STEPPED.map((n) => [n, `${n} ${stageOf(n).name}`]), (n) => this.setStage(n));
+    this.player = new Player("step-play", () => this.go(this.state.at + 1), () => 8);
+    this.drawAll = later(() => this.draw());
+    this.panels = new Panels((n) => this.setStage(n));
     this.listen();
-    this.choose(0);
+    Address.part("step", () => this.address(), (wanted) => this.openAddress(wanted));
+    addEventListener("resize", this.drawAll);
+    this.change();
   }
 
   listen() {
-    byId("step-first").addEventListener("click", () => this.go(0));
-    byId("step-back").addEventListener("click", () => this.go(this.step - 1));
-    byId("step-on").addEventListener("click", () => this.go(this.step + 1));
-    byId("step-last").addEventListener("click", () => this.go(this.view.steps.length - 1));
-    byId("step-slider").addEventListener("input", (event) => this.go(Number(event.target.value)));
-    byId("step-figure").addEventListener("keydown", (event) => this.key(event));
+    const on = (id, name, action) => byId(id).addEventListener(name, action);
+    on("step-back", "click", () => this.go(this.state.at - 1));
+    on("step-on", "click", () => this.go(this.state.at + 1));
+    on("row-back", "click", () => this.goRow(-1));
+    on("row-on", "click", () => this.goRow(1));
+    on("step-slider", "input", (event) => this.go(Number(event.target.value)));
+    byId("transport").addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.go(this.state.at + Math.sign(event.deltaY));
+    }, { passive: false });
+    on("step-snap", "change", (event) => this.set({ snap: Number(event.target.value) }));
+    on("step-view", "change", (event) => this.set({ view: event.target.value }));
+    on("step-before", "change", (event) => this.set({ before: event.target.checked }));
+    on("step-length", "input", (event) => this.set({ length: lengthOf(event.target.value) }));
+    for (let i = 0; i < 3; i++) {
+      on(`depth-${i}`, "input", (event) => {
+        this.state.v[5 * i + 2] = 2 ** Number(event.target.value);
+        this.set({ case: "" });
+      });
+    }
+    for (const name of this.cases.names()) {
+      byId("step-case").append(element("option", { value: name }, name.replace(/_/g, " ")));
+    }
+    on("step-case", "change", (event) => this.openCase(event.target.value, 0));
+  }
+
+  /* What goes wrong when a state from outside is not one: it is said, and left. */
+  openAddress(wanted) {
+    const number = (key, or) => (Number.isFinite(parseFloat(wanted[key])) ? Number(wanted[key]) : or);
+    if (wanted.case !== undefined) {
+      this.takeCase(wanted.case, number("triangle", 0));
+    }
+    if (wanted.v) {
+      const v = wanted.v.split(",").map(Number), size = (wanted.size || "26x12").split("x").map(Number);
+      if (v.length === FLOATS && v.every(Number.isFinite) && size.every((n) => n >= 1 && n <= 4096)) {
+        Object.assign(this.state, { v, size, case: "" });
+      }
+    }
+    Object.assign(this.state, {
+      stage: clamp(Math.round(number("stage", this.state.stage)), 1, 4),
+      length: clamp(Math.round(number("length", this.state.length)), 1, 4096),
+      snap: [0, 1, 16].includes(number("snap", 0)) ? number("snap", 0) : 0,
+      before: wanted.before === "1",
+      view: wanted.view === "near" ? "near" : "fit",
+      at: number("at", 0),
+    });
+    this.change();
+    if (wanted.pixel) {
+      this.pick(...wanted.pixel.split(",").map(Number));
+    }
+  }
+
+  address() {
+    const { stage, at, length, snap, before, size, v, view } = this.state;
+    return { stage, at, ...(length === 16 ? {} : { length }), ...(snap ? { snap } : {}),
+      ...(before ? { before: 1 } : {}), ...(view === "near" ? { view } : {}),
+      ...(this.state.case ? { case: this.state.case, triangle: this.state.triangle }
+        : { size: size.join("x"), v: v.join(",") }) };
+  }
+
+  takeCase(name, triangle) {
+    const found = this.cases.get(name);
+    const list = found ? found.triangles : [FIRST.v], k = clamp(triangle, 0, list.length - 1);
+    Object.assign(this.state, { case: found ? name : "", triangle: k, at: 0, v: list[k].slice(),
+      size: found ? found.size : FIRST.size });
+  }
+
+  openCase(name, triangle) {
+    this.takeCase(name, triangle);
+    this.change();
+  }
+
+  set(change) {
+    Object.assign(this.state, change);
+    this.change();
+  }
+
+  setStage(stage) {
+    const event = this.run && this.run.at(this.state.at);
+    this.state.stage = stage;
+    this.change();
+    if (event && KINDS[event.kind] === "pixel") {
+      this.pick(event.x, event.y);
+    }
+  }
+
+  move(i, x, y) {
+    const { snap, size, v } = this.state;
+    const to = (c, side) => {
+      const grid = snap || 64; /* finer than any screen shows */
+      return clamp(Math.round(c * grid) / grid, -0.5, side - 0.5);
+    };
+    v[5 * i] = to(x, size[0]);
+    v[5 * i + 1] = to(y, size[1]);
+    this.set({ case: "" });
+  }
+
+  /* To the step that draws this pixel. */
+  pick(x, y) {
+    const at = this.run.order.get(y * this.state.size[0] + x);
+    if (at !== undefined) {
+      this.go(at);
+    }
+  }
+
+  go(at) {
+    const last = this.run.events.length - 1;
+    this.state.at = clamp(at, 0, Math.max(last, 0));
+    this.drawAll();
+    Address.write("step");
+    return at < last;
+  }
+
+  /* To the next scanline's span, or the one before. */
+  goRow(way) {
+    const isSpan = (event) => event && KINDS[event.kind] === "span";
+    let at = this.state.at + way;
+    while (this.run.at(at) && !isSpan(this.run.at(at))) {
+      at += way;
+    }
+    this.go(at);
   }
 
   key(event) {
-    const last = this.view.steps.length - 1;
-    const targets = { ArrowLeft: this.step - 1, ArrowRight: this.step + 1, Home: 0, End: last,
-      ArrowUp: this.rowFrom(-1), ArrowDown: this.rowFrom(1) };
-    if (event.key in targets) {
-      this.go(targets[event.key]);
+    const action = { ArrowLeft: () => this.go(this.state.at - 1),
+      ArrowRight: () => this.go(this.state.at + 1), ArrowUp: () => this.goRow(-1),
+      ArrowDown: () => this.goRow(1) }[event.key];
+    if (action) {
       event.preventDefault();
+      action();
     }
   }
 
-  /* The nearest step before or after this one that begins a row. */
-  rowFrom(direction) {
-    const { steps } = this.view;
-    let step = this.step + direction;
-    while (step > 0 && step < steps.length && steps[step].kind !== "row") {
-      step += direction;
+  /* The triangle is another, or the stage: everything anew. */
+  change() {
+    const { stages, state } = this;
+    stages.open(...state.size);
+    stages.segmentLength(state.length);
+    this.list = stages.give([state.v]);
+    this.measured = stages.measurable();
+    this.run = this.trace(state.stage);
+    this.earlier = state.stage > 1 && state.before ? this.trace(state.stage - 1) : null;
+    this.results = new Map();
+    for (const n of [...STEPPED, EXACT]) {
+      this.results.set(n, this.measured && n !== EXACT ? stages.measure(n)
+        : { frame: stages.draw(n), errors: null });
     }
-    return step;
+    state.at = clamp(state.at, 0, Math.max(this.run.events.length - 1, 0));
+    this.drawAll();
+    Address.write("step");
   }
 
-  /* Another stage, at the same pixel if it draws that, else at the same row. */
-  choose(index) {
-    const now = this.view.steps[this.step];
-    this.view = this.views[index];
-    this.buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === index)));
-    byId("step-figure").replaceChildren(this.view.figure.svg);
-    byId("step-slider").max = this.view.steps.length - 1;
-    const same = (kind) => this.view.steps.findIndex((step) => step.kind === kind &&
-      step.row.y === now.row.y && (kind === "row" || step.pixels[0].x === now.pixels[0].x));
-    const step = same(now.kind === "pixel" ? "pixel" : "row");
-    this.go(step >= 0 ? step : same("row"));
-  }
-
-  go(step) {
-    const { steps, figure } = this.view;
-    this.step = Math.max(0, Math.min(step, steps.length - 1));
-    const now = steps[this.step];
-    figure.show(now.drawn, now.row, now.kind === "row" ? [] : now.pixels);
-    const slider = byId("step-slider");
-    slider.value = this.step;
-    slider.setAttribute("aria-valuetext", `step ${this.step + 1} of ${steps.length}`);
-    this.showEdges(now.row);
-    this.showValues(now);
-    byId("step-says").textContent = `Step ${this.step + 1} of ${steps.length}. ${this.words(now)}`;
-  }
-
-  showEdges(row) {
-    const rows = EDGE_ROWS.filter(([, field]) => row.left[field] !== null)
-      .map(([label, field]) => tableRow(label, [show(row.left[field]), show(row.right[field])]));
-    byId("step-edges").tBodies[0].replaceChildren(...rows);
-  }
-
-  showValues(now) {
-    const values = { row: now.row.span, segment: now.segment, pixel: now.pixels[0] }[now.kind];
-    const table = byId("step-values");
-    const rows = VALUE_ROWS[now.kind].filter(([, field]) => values[field] !== null)
-      .map(([label, field, exact]) => {
-        const wrong = field.startsWith("texel") && values[field] !== values[exact];
-        return tableRow(label, [[show(values[field]), wrong ? "wrong" : ""],
-          exact ? show(values[exact]) : ""]);
+  /* The way of the triangle through a stage; of all its parts, where clipping cut it. */
+  trace(stage) {
+    const grid = stageOf(stage).grid;
+    const runs = this.list.map((triangle, k) => {
+      const corners = [0, 1, 2].map((i) => {
+        const [x, y] = this.stages.rounded(k, i, grid);
+        return { x, y, z: triangle[5 * i + 2], u: triangle[5 * i + 3], v: triangle[5 * i + 4] };
       });
-    table.caption.textContent = { row: "Along this scanline, at its first pixel",
-      segment: "The segment", pixel: "The pixel" }[now.kind];
-    table.tBodies[0].replaceChildren(...rows);
+      return new Run(stage, this.stages.trace(stage, k), corners, this.state.size[0]);
+    });
+    return runs.length ? joinRuns(runs) : new Run(stage, [], [], this.state.size[0]);
   }
 
-  words({ kind, row, segment, pixels }) {
-    if (kind === "row") {
-      const { x, count } = row.span;
-      return count > 0 ? `Scanline ${row.y}: pixels ${x} to ${x + count - 1}.`
-        : `Scanline ${row.y}: no pixel between its edges.`;
+  window() {
+    const { state } = this, [width, height] = state.size;
+    const event = this.run.at(state.at);
+    if (state.view === "near" && event && event.y !== undefined) {
+      const x = Math.floor(event.x !== undefined ? event.x : event.v.x || 0);
+      const w = Math.min(NEAR, width), h = Math.min(NEAR * 3 / 4, height);
+      return { x: clamp(x - w / 2, 0, width - w), y: clamp(event.y - h / 2, 0, height - h), w, h };
     }
-    if (kind === "segment") {
-      return `Scanline ${row.y}: a segment of ${segment.count} pixels, with a divide at each end.`;
-    }
-    const [pixel] = pixels;
-    const texel = `Pixel ${pixel.x}, ${row.y} gets texel ${pixel.texel_u}, ${pixel.texel_v}`;
-    return pixel.exact_texel_u === null ? `${texel}; the triangle as given does not cover it.`
-      : isWrong(pixel) ? `${texel}; right is ${pixel.exact_texel_u}, ${pixel.exact_texel_v}.`
-        : `${texel}, the right one.`;
+    return width <= 32 ? { x: 0, y: 0, w: width, h: height } : fit([state.v], state.size);
   }
+
+  draw() {
+    const { state, run } = this, event = run.at(state.at), result = this.results.get(state.stage);
+    const spread = Math.max(...[3, 4].map((k) => Math.abs(state.v[k] - state.v[k + 5]) +
+      Math.abs(state.v[k] - state.v[k + 10])));
+    this.shift = spread > 128 ? 4 : 0;
+    this.figure.draw({ window: this.window(), width: state.size[0], frame: result.frame,
+      errors: result.errors, given: state.v, order: run.order, at: state.at, step: event,
+      snap: state.snap, shift: this.shift,
+      rounded: this.list.map((_, k) =>
+        [0, 1, 2].map((i) => this.stages.rounded(k, i, stageOf(state.stage).grid))) });
+    this.drawControls();
+    this.panels.draw(this, event);
+  }
+
+  drawControls() {
+    const { state, run } = this, count = run.events.length;
+    this.stageChoice.press(state.stage);
+    byId("step-slider").max = Math.max(count - 1, 0);
+    byId("step-slider").value = state.at;
+    byId("step-count").textContent = count ? `Step ${state.at + 1} of ${count}` : "Nothing to draw";
+    byId("step-case").value = state.case;
+    byId("step-snap").value = state.snap;
+    byId("step-view").value = state.view;
+    byId("step-before").checked = state.before;
+    byId("step-before").disabled = state.stage === 1;
+    for (let i = 0; i < 3; i++) {
+      const z = state.v[5 * i + 2], slider = byId(`depth-${i}`);
+      slider.value = Math.log2(z);
+      slider.nextElementSibling.textContent = `z = ${show(z, 3)}`;
+    }
+    byId("step-length").value = Math.log2(state.length) > 6 ? 7 : Math.log2(state.length);
+    byId("step-length").nextElementSibling.textContent =
+      state.length > 64 ? "span" : plural(state.length, "pixel");
+    this.drawTriangles();
+  }
+
+  /* Which of a case's triangles. */
+  drawTriangles() {
+    const { state } = this, found = this.cases.get(state.case), place = byId("step-triangles");
+    const count = found ? found.triangles.length : 1;
+    if (place.dataset.shown !== `${state.case} ${count}`) {
+      place.dataset.shown = `${state.case} ${count}`;
+      place.replaceChildren();
+      if (count > 1) {
+        const input = element("input", { type: "number", min: 0, max: count - 1, size: 4 });
+        input.addEventListener("change", () =>
+          this.openCase(state.case, Math.round(Number(input.value))));
+        place.append(element("label", {}, `triangle of 0 to ${count - 1} `, input));
+      }
+    }
+    if (count > 1) {
+      place.querySelector("input").value = state.triangle;
+    }
+  }
+}
+
+const lengthOf = (slider) => (Number(slider) === 7 ? 4096 : 2 ** Number(slider));
+
+/* The runs of the parts of a clipped triangle, one after the other. */
+function joinRuns(runs) {
+  const all = runs[0];
+  for (const run of runs.slice(1)) {
+    const from = all.events.length;
+    for (const event of run.events) {
+      for (const key of ["before", "span", "segment", "gradients"]) {
+        event[key] = event[key] === undefined ? undefined : event[key] + from;
+      }
+      event.corner = run.corners;
+      all.events.push(event);
+    }
+    run.order.forEach((i, pixel) => all.order.set(pixel, i + from));
+  }
+  return all;
 }

@@ -1,99 +1,262 @@
-/* Stages 2 and 3 while a triangle moves by 1/64 pixel a frame. */
+/* Swim: the room's brick wall while it moves by 1/64 pixel a frame, in stages 2 and 3 and as it
+ * should be. */
 
-const FRAMES_PER_SECOND = 16;
-const CHECKS = 16; /* texels a square of the checker */
-const CHECK_COLOURS = [[232, 226, 208], [44, 88, 136]];
-const PLOT = { width: 760, left: 66, right: 748, height: 116 }; /* of one stage */
+const SWIM_FRAMES = 128;
+const SWIM_WINDOW = [72, 54];
+const SWIM_STAGES = [2, 3, EXACT];
+const SWIM_CHANGE = 2; /* texels: a change of 1 is what rounding to whole texels makes */
+const letterOf = (n) => String.fromCharCode(65 + n);
+const DIRECTIONS = { right: [1, 0], down: [0, 1], both: [1, 1] };
 
 class Swim {
-  static async load() {
-    const data = dataOf("swim");
-    return new Swim(data, await unpack(data.texels));
-  }
-
-  constructor(data, texels) {
-    Object.assign(this, data, { data, texels, frame: 0, timer: null });
-    this.canvases = data.stages.map((stage) => {
-      const name = `Stage ${stage.name[5]}`;
-      const canvas = element("canvas", { width: this.side, height: this.side, role: "img",
-        "aria-label": `${name}: a checkered triangle that moves` });
-      const says = `${name}: jitter ${show(stage.jitter_rms, 3)} texel (RMS over 128 frames)`;
-      byId("swim-views").append(element("figure", {}, canvas, element("figcaption", {}, says)));
-      return canvas;
+  constructor(stages) {
+    this.stages = stages;
+    this.state = { frame: 0, direction: "right", speed: 12 };
+    this.changes = {}; /* direction: for each frame the change in stages 2 and 3, and who jumped */
+    this.player = new Player("swim-play", () => this.go((this.state.frame + 1) % SWIM_FRAMES),
+      () => this.state.speed);
+    this.choice = new Choice("swim-direction",
+      [["right", "to the right"], ["down", "down"], ["both", "both ways"]],
+      (direction) => this.set({ direction }));
+    this.views = SWIM_STAGES.map((n) => {
+      const canvas = element("canvas", { role: "img", "aria-label":
+        n === EXACT ? "The wall, exact" : `The wall, stage ${n}` });
+      const says = element("figcaption");
+      byId("swim-views").append(element("figure", {}, canvas, says));
+      return { n, canvas, says };
     });
-    this.jitterMax = Math.max(...data.stages.flatMap((stage) => stage.jitter));
-    this.bars = data.stages.map((stage, i) => this.plot(stage, i));
-    const height = PLOT.height * data.stages.length + 20;
-    byId("swim-plot").append(svg("svg", { viewBox: `0 0 ${PLOT.width} ${height}`, role: "img" },
-      svg("title", {}, "How far the texture jumped from frame to frame: in stage 2 a few large "
-        + "jumps, in stage 3 many small ones"), ...this.bars.map((bars) => bars.group),
-      text(PLOT.right, height - 5, "frame", "end", "soft")));
-    byId("swim-slider").max = this.frames - 1;
-    byId("swim-slider").addEventListener("input", (event) => {
-      this.pause();
-      this.go(Number(event.target.value));
+    this.drawSoon = later(() => this.draw());
+    byId("swim-frame").addEventListener("input", (event) => this.go(Number(event.target.value)));
+    byId("swim-speed").addEventListener("input",
+      (event) => this.set({ speed: Number(event.target.value) }));
+    byId("swim-mark").addEventListener("change", this.drawSoon);
+    byId("swim-bars").addEventListener("click", (event) => {
+      const box = event.target.getBoundingClientRect();
+      this.go(clamp(Math.floor((event.clientX - box.left - 44) / (box.width - 54) * SWIM_FRAMES), 0,
+        SWIM_FRAMES - 1));
     });
-    byId("swim-play").addEventListener("click", () => (this.timer ? this.pause() : this.play()));
-    this.go(0);
-  }
-
-  plot(stage, index) {
-    const top = index * PLOT.height, bottom = top + PLOT.height - 8;
-    const width = (PLOT.right - PLOT.left) / this.frames;
-    const bars = stage.jitter.map((jitter, frame) => {
-      const height = (jitter ?? 0) / this.jitterMax * (PLOT.height - 36);
-      return svg("rect", { x: round(PLOT.left + frame * width + 1), width: round(width - 2),
-        y: round(bottom - height), height: round(height), class: "bar" });
-    });
-    const label = `Stage ${stage.name[5]}: texels jumped since the frame before, RMS`;
-    const group = svg("g", {}, line(PLOT.left, bottom, PLOT.right, bottom, "grid"),
-      text(PLOT.left, top + 18, label),
-      text(PLOT.left - 6, bottom - PLOT.height + 40, show(this.jitterMax, 2), "end", "soft"),
-      text(PLOT.left - 6, bottom + 4, "0", "end", "soft"), ...bars);
-    return { group, bars };
-  }
-
-  /* The texel in the window's pixel, or null where the triangle is not. */
-  texel(stage, frame, pixel) {
-    const size = this.side * this.side;
-    const [u, v] = [0, 1].map((axis) =>
-      this.texels[((stage * 2 + axis) * this.frames + frame) * size + pixel]);
-    return u === this.no_texel && v === this.no_texel ? null : [u, v];
-  }
-
-  draw(stage) {
-    const context = this.canvases[stage].getContext("2d");
-    const image = context.createImageData(this.side, this.side);
-    for (let pixel = 0; pixel < this.side * this.side; pixel++) {
-      const texel = this.texel(stage, this.frame, pixel);
-      if (texel) {
-        const parity = (Math.floor(texel[0] / CHECKS) + Math.floor(texel[1] / CHECKS)) & 1;
-        image.data.set([...CHECK_COLOURS[parity], 255], 4 * pixel);
+    addEventListener("resize", this.drawSoon);
+    Address.part("swim", () => this.state, ({ frame, direction, speed }) => this.set({
+      frame: clamp(Math.round(Number(frame) || 0), 0, SWIM_FRAMES - 1),
+      direction: DIRECTIONS[direction] ? direction : "right",
+      speed: clamp(Number(speed) || 12, 1, 60),
+    }));
+    new IntersectionObserver((entries, observer) => {
+      if (entries.some((entry) => entry.isIntersecting)) {
+        observer.disconnect();
+        this.drawSoon();
       }
-    }
-    context.putImageData(image, 0, 0);
+    }).observe(byId("swim-views"));
+  }
+
+  set(change) {
+    Object.assign(this.state, change);
+    Address.write("swim");
+    this.drawSoon();
   }
 
   go(frame) {
-    this.frame = frame;
-    byId("swim-slider").value = frame;
-    byId("swim-slider").setAttribute("aria-valuetext", `frame ${frame} of ${this.frames}`);
-    byId("swim-says").textContent = `${frame}/64 pixel`;
-    this.data.stages.forEach((_, stage) => {
-      this.draw(stage);
-      this.bars[stage].bars.forEach((bar, i) => bar.classList.toggle("now", i === frame));
+    this.set({ frame });
+    return true;
+  }
+
+  /* The wall in a frame: its triangles, and each stage's errors and pixels. */
+  wall(frame, drawn) {
+    const { stages } = this, [dx, dy] = DIRECTIONS[this.state.direction];
+    stages.open(...ROOM_SIZE);
+    const list = stages.room(ROOM_FRAME, dx * frame / 64, dy * frame / 64, TEXTURE_BRICKS);
+    stages.measurable();
+    const results = new Map(SWIM_STAGES.map((n) => {
+      const result = n === EXACT ? { errors: null } : stages.measure(n);
+      return [n, drawn ? { ...result, picture: stages.draw(n, TEXTURE_OWN) } : result];
+    }));
+    const rounded = (grid) => list.map((_, k) =>
+      [0, 1, 2].map((i) => stages.rounded(k, i, grid)));
+    return { list, results, rounded: new Map([[2, rounded(1)], [3, rounded(16)],
+      [EXACT, rounded(0)]]) };
+  }
+
+  /* The part of the frame where stage 2 is farthest off: the wall's far end. */
+  findWindow() {
+    const { errors } = this.wall(0, false).results.get(2);
+    let worst = 0, most = -1;
+    for (let i = 0; i < errors.length / 2; i++) {
+      const error = errorAt(errors, i);
+      if (error !== OTHER_SURFACE && error > most) {
+        [worst, most] = [i, error];
+      }
+    }
+    const [w, h] = SWIM_WINDOW;
+    return { w, h, x: clamp(worst % ROOM_SIZE[0] - w / 2, 0, ROOM_SIZE[0] - w),
+      y: clamp(Math.floor(worst / ROOM_SIZE[0]) - h / 2, 0, ROOM_SIZE[1] - h), most };
+  }
+
+  draw() {
+    this.window = this.window || this.findWindow();
+    const { frame } = this.state, now = this.wall(frame, true);
+    const before = frame > 0 ? this.wall(frame - 1, false) : now;
+    for (const view of this.views) {
+      this.drawView(view, now, before);
+    }
+    this.choice.press(this.state.direction);
+    byId("swim-frame").value = frame;
+    byId("swim-speed").value = this.state.speed;
+    byId("swim-speed-says").textContent = this.state.speed;
+    byId("swim-says").textContent = `${frame}: moved by ${frame}/64 pixel`;
+    this.measureMore();
+    this.drawBars();
+  }
+
+  drawView({ n, canvas, says }, now, before) {
+    const { x, y, w, h } = this.window, cell = (canvas.clientWidth || 300) / w;
+    const [c] = context(canvas, Math.ceil(cell * h));
+    const { picture, errors } = now.results.get(n), old = before.results.get(n).errors;
+    drawPixels(c, (i, j) => picture[(y + j) * ROOM_SIZE[0] + x + i], w, h, cell);
+    const changed = errors ? this.drawChanged(c, errors, old, cell) : 0;
+    const at = ([px, py]) => [(px - x + 0.5) * cell, (py - y + 0.5) * cell];
+    const outline = (points, name, dash) => points.forEach((p, i) =>
+      line(c, ...at(p), ...at(points[(i + 1) % 3]), colour(name), 2, dash));
+    now.rounded.get(n).forEach((triangle) => outline(triangle, "now", []));
+    now.rounded.get(EXACT).forEach((triangle) => outline(triangle, "accent", [5, 4]));
+    for (const [letter, p] of this.letters(now)) {
+      const [px, py] = at(p);
+      if (px > 0 && py > 0 && px < w * cell && py < h * cell) {
+        const jump = n !== EXACT && jumped(before, now, n).includes(letter);
+        c.fillStyle = colour(jump ? "now" : "paper");
+        c.beginPath();
+        c.arc(px + 14, py, 10, 0, 7);
+        c.fill();
+        c.fillStyle = colour(jump ? "paper" : "ink");
+        c.textAlign = "center";
+        c.textBaseline = "middle";
+        c.fillText(letter, px + 14, py);
+      }
+    }
+    says.textContent = (n === EXACT ? "Exact" : `Stage ${n}: ${stageOf(n).name}`) + ". " +
+      (n === EXACT ? "The texture goes along with the wall."
+        : `${plural(changed, "pixel")} here changed by ${SWIM_CHANGE} texels or more` +
+          `${jumped(before, now, n) ? `; vertex ${jumped(before, now, n)} jumped` : ""}.`);
+  }
+
+  /* Each vertex's letter, and where it is given. */
+  letters({ list }) {
+    const all = new Map();
+    list.forEach((v) => [0, 5, 10].forEach((i) => {
+      const key = `${v[i]},${v[i + 1]}`;
+      all.set(key, all.get(key) || [letterOf(all.size), [v[i], v[i + 1]]]);
+    }));
+    return all.values();
+  }
+
+  drawChanged(c, errors, old, cell) {
+    const { x, y, w, h } = this.window, mark = byId("swim-mark").checked;
+    let changed = 0;
+    c.fillStyle = colour("changed");
+    c.globalAlpha = 0.6;
+    for (let i = 0; i < w * h; i++) {
+      const px = x + i % w, py = y + Math.floor(i / w), at = py * ROOM_SIZE[0] + px;
+      if (Math.abs(errors[2 * at] - old[2 * at]) >= SWIM_CHANGE ||
+          Math.abs(errors[2 * at + 1] - old[2 * at + 1]) >= SWIM_CHANGE) {
+        changed += 1;
+        if (mark) {
+          c.fillRect((px - x) * cell, (py - y) * cell, cell, cell);
+        }
+      }
+    }
+    c.globalAlpha = 1;
+    return changed;
+  }
+
+  /* The frames are measured a few at a time, so that the page goes on meanwhile. */
+  measureMore() {
+    const all = this.changes[this.state.direction] ||= [];
+    if (this.measuring || all.length >= SWIM_FRAMES) {
+      return;
+    }
+    this.measuring = true;
+    setTimeout(() => {
+      this.measuring = false;
+      const started = performance.now();
+      this.last = all.length ? this.last : this.wall(0, false);
+      while (all.length < SWIM_FRAMES && performance.now() - started < 12) {
+        const now = this.wall(all.length, false);
+        all.push(swimChange(this.last, now));
+        this.last = now;
+      }
+      this.drawBars();
+      this.measureMore();
+    }, 0);
+  }
+
+  drawBars() {
+    const all = this.changes[this.state.direction] || [], height = 110;
+    const [c, width] = context(byId("swim-bars"), 2 * height + 50);
+    const most = Math.max(0.01, ...all.flatMap((one) => [one[2], one[3]]));
+    const step = (width - 54) / SWIM_FRAMES;
+    [2, 3].forEach((n, row) => {
+      const top = 20 + row * (height + 14);
+      const area = plot(c, [44, top, width - 54, height - 20], [0, SWIM_FRAMES], [0, most], "");
+      c.textAlign = "left";
+      c.fillStyle = colour("ink");
+      c.fillText(`Stage ${n}`, 48, top + 10);
+      all.forEach((one, t) => {
+        const [left, y] = area.at([t, one[n]]), [, bottom] = area.at([t, 0]);
+        c.fillStyle = colour(t === this.state.frame ? "now" : one.jumps[n] ? "warn" : "soft");
+        c.fillRect(left, y, Math.max(step - 1, 1), bottom - y);
+        if (n === 2 && one.jumps[n]) {
+          c.textAlign = "center";
+          c.fillText(one.jumps[n], left + step / 2, Math.max(y - 7, top - 8));
+        }
+      });
     });
   }
-
-  play() {
-    this.timer = setInterval(() => this.go((this.frame + 1) % this.frames),
-      1000 / FRAMES_PER_SECOND);
-    byId("swim-play").textContent = "Pause";
-  }
-
-  pause() {
-    clearInterval(this.timer);
-    this.timer = null;
-    byId("swim-play").textContent = "Play";
-  }
 }
+
+/* From one frame to the next: the RMS of the change of error in stages 2 and 3, and the vertices
+ * that were rounded to another place than before. */
+function swimChange(before, now) {
+  const change = { jumps: {} };
+  for (const n of [2, 3]) {
+    const a = before.results.get(n).errors, b = now.results.get(n).errors;
+    let sum = 0;
+    for (let i = 0; i < a.length; i++) {
+      if (a[i] !== OTHER_SURFACE && b[i] !== OTHER_SURFACE) {
+        sum += (a[i] - b[i]) ** 2;
+      }
+    }
+    change[n] = Math.sqrt(sum / Math.max(now.results.get(n).pixels, 1));
+    change.jumps[n] = jumped(before, now, n);
+  }
+  return change;
+}
+
+/* Each vertex has a letter, the same in all triangles that share it. */
+function jumped(before, now, n) {
+  const letters = new Map(), found = new Set();
+  now.list.forEach((triangle, k) => [0, 1, 2].forEach((i) => {
+    const key = `${triangle[5 * i]},${triangle[5 * i + 1]}`;
+    letters.set(key, letters.get(key) || letterOf(letters.size));
+    const was = before.rounded.get(n)[k], is = now.rounded.get(n)[k];
+    if (was && (was[i][0] !== is[i][0] || was[i][1] !== is[i][1])) {
+      found.add(letters.get(key));
+    }
+  }));
+  return Array.from(found).sort().join("");
+}
+
+/* Pixels 0xAARRGGBB, one by one, so that each is sharp. */
+function drawPixels(c, pixelAt, w, h, cell) {
+  const image = new ImageData(w, h), bytes = new Uint32Array(image.data.buffer);
+  for (let i = 0; i < w * h; i++) {
+    bytes[i] = swapped(pixelAt(i % w, Math.floor(i / w)));
+  }
+  const canvas = drawPixels.canvas ||= document.createElement("canvas");
+  canvas.width = w;
+  canvas.height = h;
+  canvas.getContext("2d").putImageData(image, 0, 0);
+  c.imageSmoothingEnabled = false;
+  c.drawImage(canvas, 0, 0, w * cell, h * cell);
+}
+
+/* From 0xAARRGGBB to the order of a canvas's bytes: R first. */
+const swapped = (pixel) => pixel & 0xFF00FF00 | (pixel & 0xFF) << 16 | pixel >>> 16 & 0xFF;

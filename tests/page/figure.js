@@ -1,0 +1,209 @@
+/* The stepper's large figure: a window of the frame, pixel by pixel, the triangle over it, and its
+ * three vertices as buttons to drag. */
+
+const MARGIN = 26;          /* CSS pixels for the numbers along the border */
+const FIGURE_HEIGHT_MAX = 520;
+const CELLS_MAX = 26;       /* CSS pixels a pixel of the frame is at most drawn with */
+
+/* A pixel's colour: texels alternate, in squares of 16 where there are many. */
+function texelColour(pixel, shift) {
+  return colour((texelU(pixel) >> shift) + (texelV(pixel) >> shift) & 1 ? "texel-b" : "texel-a");
+}
+
+class Figure {
+  /* `moved(vertex, x, y)` while a vertex is dragged, `picked(x, y)` for a pixel. */
+  constructor(moved, picked, keyed) {
+    this.canvas = byId("figure-canvas");
+    this.handles = Array.from(document.querySelectorAll(".handle"));
+    this.moved = moved;
+    this.canvas.addEventListener("click", (event) => {
+      const box = this.canvas.getBoundingClientRect();
+      const [x, y] = this.toFrame(event.clientX - box.left, event.clientY - box.top);
+      picked(Math.round(x), Math.round(y));
+    });
+    this.canvas.addEventListener("keydown", keyed);
+    this.handles.forEach((handle, i) => this.listen(handle, i));
+  }
+
+  listen(handle, i) {
+    handle.addEventListener("pointerdown", (event) => {
+      handle.setPointerCapture(event.pointerId);
+      this.dragged = i;
+    });
+    handle.addEventListener("pointermove", (event) => {
+      if (this.dragged === i) {
+        const box = this.canvas.getBoundingClientRect();
+        this.moved(i, ...this.toFrame(event.clientX - box.left, event.clientY - box.top));
+      }
+    });
+    for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
+      handle.addEventListener(name, () => { this.dragged = null; });
+    }
+    handle.addEventListener("keydown", (event) => {
+      const step = (this.model.snap === 1 ? 1 : 1 / 16) * (event.shiftKey ? 16 : 1);
+      const [dx, dy] = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
+        ArrowDown: [0, step] }[event.key] || [0, 0];
+      if (dx || dy) {
+        event.preventDefault();
+        this.moved(i, this.model.given[5 * i] + dx, this.model.given[5 * i + 1] + dy);
+      }
+    });
+  }
+
+  /* Between the frame's coordinates, pixel centres at integers, and the canvas's. */
+  toCanvas(x, y) {
+    return [MARGIN + (x - this.window.x + 0.5) * this.cell,
+      MARGIN + (y - this.window.y + 0.5) * this.cell];
+  }
+
+  toFrame(x, y) {
+    return [(x - MARGIN) / this.cell + this.window.x - 0.5,
+      (y - MARGIN) / this.cell + this.window.y - 0.5];
+  }
+
+  /* model: window {x, y, w, h}, width (the frame's), frame, exact, errors (null: not measured),
+   * given (15 numbers), rounded (a list of triangles of three points), order (a pixel's step),
+   * at (the step now), step (its event), snap */
+  draw(model) {
+    this.model = model;
+    this.window = model.window;
+    const width = this.canvas.clientWidth || 600;
+    this.cell = Math.min((width - MARGIN - 8) / model.window.w,
+      (FIGURE_HEIGHT_MAX - MARGIN) / model.window.h, CELLS_MAX);
+    const [c] = context(this.canvas, Math.ceil(MARGIN + model.window.h * this.cell + 10));
+    this.drawCells(c);
+    this.drawGrid(c);
+    this.drawMarks(c);
+    this.drawStep(c);
+    for (const triangle of model.rounded) {
+      this.drawOutline(c, triangle, "ink", 2, []);
+    }
+    const given = [0, 5, 10].map((i) => [model.given[i], model.given[i + 1]]);
+    this.drawOutline(c, given, "accent", 1.5, [5, 4]);
+    this.placeHandles(given);
+  }
+
+  eachPixel(visit) {
+    const { x, y, w, h } = this.window;
+    for (let j = y; j < y + h; j++) {
+      for (let i = x; i < x + w; i++) {
+        visit(i, j, j * this.model.width + i);
+      }
+    }
+  }
+
+  drawCells(c) {
+    const { frame, order, at, shift } = this.model, size = Math.max(this.cell, 0.5);
+    this.eachPixel((x, y, i) => {
+      if (frame[i]) {
+        const [left, top] = this.toCanvas(x - 0.5, y - 0.5);
+        c.globalAlpha = order.get(i) <= at ? 1 : 0.35;
+        c.fillStyle = texelColour(frame[i], shift);
+        c.fillRect(left, top, size, size);
+      }
+    });
+    c.globalAlpha = 1;
+  }
+
+  drawGrid(c) {
+    const { x, y, w, h } = this.window, cell = this.cell;
+    const every = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((n) => n * cell >= 24);
+    c.fillStyle = colour("soft");
+    c.font = "11px system-ui, sans-serif";
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    for (let i = x; i <= x + w; i++) {
+      const [left] = this.toCanvas(i - 0.5, y);
+      if (cell >= 5) {
+        line(c, left, MARGIN, left, MARGIN + h * cell, colour("line"));
+      }
+      if (i < x + w && i % every === 0) {
+        c.fillText(String(i), left + cell / 2, MARGIN - 12);
+      }
+    }
+    for (let j = y; j <= y + h; j++) {
+      const [, top] = this.toCanvas(x, j - 0.5);
+      if (cell >= 5) {
+        line(c, MARGIN, top, MARGIN + w * cell, top, colour("line"));
+      }
+      if (j < y + h && j % every === 0) {
+        c.fillText(String(j), MARGIN - 13, top + cell / 2);
+      }
+    }
+    c.fillText("x \u2192", MARGIN - 10, MARGIN - 14);
+    if (cell >= 12) {
+      this.eachPixel((i, j) => {
+        const [cx, cy] = this.toCanvas(i, j);
+        c.fillRect(cx - 1, cy - 1, 2, 2);
+      });
+    }
+    c.strokeStyle = colour("soft");
+    c.setLineDash([]);
+    c.strokeRect(MARGIN, MARGIN, w * cell, h * cell);
+  }
+
+  /* Wrong texels, missing pixels, pixels too many. */
+  drawMarks(c) {
+    const { errors, frame } = this.model, arm = Math.max(this.cell * 0.22, 1);
+    if (!errors) {
+      return;
+    }
+    c.font = `bold ${Math.max(this.cell * 0.8, 8)}px system-ui, sans-serif`;
+    this.eachPixel((x, y, i) => {
+      const error = errorAt(errors, i), [cx, cy] = this.toCanvas(x, y);
+      if (error === OTHER_SURFACE) {
+        c.fillStyle = colour("wrong");
+        c.fillText(frame[i] ? "+" : "\u2212", cx, cy);
+      } else if (error) {
+        line(c, cx - arm, cy - arm, cx + arm, cy + arm, colour("wrong"), 1.5);
+        line(c, cx - arm, cy + arm, cx + arm, cy - arm, colour("wrong"), 1.5);
+      }
+    });
+  }
+
+  drawStep(c) {
+    const { step, window: { x, w } } = this.model;
+    if (!step || step.y === undefined) {
+      return;
+    }
+    const [left, top] = this.toCanvas(x - 0.5, step.y - 0.5);
+    c.fillStyle = colour("accent");
+    c.globalAlpha = 0.13;
+    c.fillRect(left, top, w * this.cell, this.cell);
+    c.globalAlpha = 1;
+    if (step.x !== undefined) {
+      const [cx] = this.toCanvas(step.x - 0.5, step.y);
+      c.strokeStyle = colour("now");
+      c.lineWidth = 3;
+      c.setLineDash([]);
+      c.strokeRect(cx, top, this.cell * (step.count || 1), this.cell);
+    }
+    if (step.edge) {
+      const [from, to] = step.edge.map((p) => this.toCanvas(...p));
+      line(c, ...from, ...to, colour("now"), 6);
+    }
+  }
+
+  drawOutline(c, points, name, width, dash) {
+    c.beginPath();
+    points.forEach((p) => c.lineTo(...this.toCanvas(...p)));
+    c.closePath();
+    c.strokeStyle = colour(name);
+    c.lineWidth = width;
+    c.setLineDash(dash);
+    c.stroke();
+  }
+
+  placeHandles(given) {
+    const names = "ABC";
+    this.handles.forEach((handle, i) => {
+      const [x, y] = this.toCanvas(...given[i]);
+      const inside = x >= 0 && y >= 0 && x <= this.canvas.clientWidth &&
+        y <= this.canvas.clientHeight;
+      handle.hidden = !inside;
+      handle.style.transform = `translate(${x}px, ${y}px)`;
+      handle.setAttribute("aria-label", `Vertex ${names[i]}: x ${show(given[i][0])}, y ` +
+        `${show(given[i][1])}. Arrow keys move it.`);
+    });
+  }
+}

@@ -1,0 +1,116 @@
+/* The room as every stage draws it: how accurate, as a table, and the pictures themselves. Stage 5
+ * and the coda cannot run in the page: their frames with the texture `coord` are in it too. */
+#include <stdlib.h>
+#include <string.h>
+#include "tests/exact/accuracy.h"
+#include "tests/exact/exact.h"
+#include "tests/page/report.h"
+
+#define WIDTH 320
+#define HEIGHT 240
+#define FRAME 40 /* two sides of the crate, and its lid */
+
+/* A picture's number on the page: 1 to 5, 6 the coda; 0: none of them. */
+static int number_of(const struct stage *stage)
+{
+    return stage->digit ? atoi(stage->digit) : strcmp(stage->name, "coda") == 0 ? 6 : 0;
+}
+
+static bool room_open(struct source *source, struct error *error)
+{
+    const struct options options = {
+        .scene = scene_name(SCENE_ROOM), .frame = FRAME, .size = {WIDTH, HEIGHT}};
+
+    return source_open(source, &options, error);
+}
+
+static void print_row(FILE *out, const struct stage *stage, const struct accuracy *a)
+{
+    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%.3g %%</td><td>%+.3f</td><td>%+.3f</td>"
+            "<td>%d</td><td>", stage->name, a->wrong_texel_pct, a->bias_u, a->bias_v, a->max_texel);
+    if (a->position_rms < a->ruler_step) {
+        fprintf(out, "&lt; 1/%d", (int)(1 / a->ruler_step));
+    } else {
+        fprintf(out, "%.2f", a->position_rms);
+    }
+    fprintf(out, "</td><td>%zu</td><td>%zu</td></tr>\n", a->coverage_missing, a->coverage_extra);
+}
+
+#define HEAD "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\">" \
+    "<table><caption>The room, frame %d, %dx%d pixels, " \
+    "against the exact answer</caption><thead><tr><th scope=\"col\">stage</th>" \
+    "<th scope=\"col\">wrong texels</th><th scope=\"col\">bias of u</th>" \
+    "<th scope=\"col\">bias of v</th><th scope=\"col\">largest error, texels</th>" \
+    "<th scope=\"col\">position, RMS texels</th><th scope=\"col\">pixels missing</th>" \
+    "<th scope=\"col\">too many</th></tr></thead><tbody>\n"
+
+bool report_accuracy(FILE *out, struct error *error)
+{
+    struct source source;
+    struct meter meter;
+
+    if (!room_open(&source, error)) {
+        return false;
+    }
+    bool done = meter_create(&meter, WIDTH, HEIGHT);
+    if (done) {
+        fprintf(out, HEAD, FRAME, WIDTH, HEIGHT);
+        for (const struct stage *stage = stages; done && stage->name; stage++) {
+            struct accuracy accuracy;
+            if (number_of(stage)) {
+                done = accuracy_frame(&meter, &source.triangles, stage, 0, &accuracy);
+                if (done) {
+                    print_row(out, stage, &accuracy);
+                }
+            }
+        }
+        fprintf(out, "</tbody></table></div>\n<p class=\"hint\">The README's percentages are of "
+                "640x480 pixels and frame 0. In a smaller frame a rounded vertex is off by more of "
+                "the picture, and a pixel spans more texels, so that the figures here are larger. "
+                "Stages 1 and 2 truncate u and v: of two axes, three pixels in four lose "
+                "something.</p>\n");
+        meter_destroy(&meter);
+    }
+    source_close(&source);
+    return done || error_set(error, "report: no memory for the accuracy");
+}
+
+static bool print_picture(FILE *out, const struct source *source, int number, const char *name,
+                          draw_triangle *draw, const struct image *texture, struct image *frame)
+{
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        frame->pixels[i] = 0;
+    }
+    source_draw(source, draw, texture, frame);
+    fprintf(out, "<figure%s><img id=\"%s-%d\" width=\"%d\" height=\"%d\" alt=\"The room, drawn by "
+            "%s\" src=\"", texture ? " hidden" : "", texture ? "coord" : "picture", number, WIDTH,
+            HEIGHT, name);
+    const bool done = html_png(out, frame);
+    fprintf(out, "\"><figcaption>%d: %s</figcaption></figure>\n", number, name);
+    return done;
+}
+
+bool report_pictures(FILE *out, struct error *error)
+{
+    struct source source;
+    struct image frame;
+
+    if (!room_open(&source, error)) {
+        return false;
+    }
+    bool done = image_create(&frame, WIDTH, HEIGHT);
+    if (done) {
+        for (const struct stage *stage = stages; done && stage->name; stage++) {
+            const int number = number_of(stage);
+            done = !number ||
+                   (print_picture(out, &source, number, stage->name, stage->draw, NULL, &frame) &&
+                    (number < 5 || print_picture(out, &source, number, stage->name, stage->draw,
+                                                 &source.textures[TEXTURE_COORD], &frame)));
+        }
+        done = done && print_picture(out, &source, 7, "the exact answer", exact_draw_triangle,
+                                     NULL, &frame);
+        image_destroy(&frame);
+    }
+    source_close(&source);
+    return done || error_set(error, "report: no memory for the pictures");
+}

@@ -1,0 +1,155 @@
+/* The stages' own C code, as a WebAssembly module: see tests/page/wasm/module.c. */
+
+const EXACT = 7;
+const OTHER_SURFACE = 32767;
+const SIDE = 256;       /* of every texture */
+const TEXTURE_OWN = -1, TEXTURE_BRICKS = 1, TEXTURE_COORD = 4;
+const SCENE_ROOM = 0, ROOM_FRAME = 40, ROOM_SIZE = [320, 240]; /* as tests/page/pictures.c */
+const FLOATS = 15, WORDS = 16; /* a triangle's, given and in the list */
+const TRIANGLES_MAX = 64;      /* that can be given */
+
+const STAGES = [
+  { number: 1, name: "float", folder: "stage1_float", grid: 0 },
+  { number: 2, name: "DDA", folder: "stage2_dda", grid: 1 },
+  { number: 3, name: "28.4", folder: "stage3_fixed28_4", grid: 16 },
+  { number: 4, name: "subdivide", folder: "stage4_subdivide", grid: 16 },
+  { number: 5, name: "assembly", folder: "stage5_asm", grid: 16 },
+  { number: 6, name: "coda", folder: "coda", grid: 0 },
+  { number: EXACT, name: "exact", folder: "exact", grid: 0 },
+];
+const stageOf = (number) => STAGES[number - 1];
+/* What the module has in the place of a stage: stage 5 has stage 4's bits. */
+const standIn = (number) => (number === 5 ? 4 : number);
+
+/* An event of the trace: four words, then as many doubles as it can have. */
+const EVENT_WORDS = 4, EVENT_DOUBLES = 12;
+const EVENTS_MAX = 50000; /* that a trace keeps */
+
+class Stages {
+  static async load() {
+    const bytes = Uint8Array.from(atob(byId("module").textContent.replace(/\s/g, "")),
+      (c) => c.charCodeAt(0));
+    const { instance } = await WebAssembly.instantiate(bytes, {});
+    return new Stages(instance.exports);
+  }
+
+  constructor(wasm) {
+    this.wasm = wasm;
+  }
+
+  /* An array in the module's memory; it is gone when the memory grows. */
+  array(Type, address, length) {
+    return new Type(this.wasm.memory.buffer, address, length);
+  }
+
+  open(width, height) {
+    if (!this.wasm.page_open(width, height)) {
+      throw new Error("no memory for the frame");
+    }
+    this.width = width;
+    this.height = height;
+  }
+
+  /* Takes triangles of fifteen numbers each, clipped; returns the list of them. */
+  give(triangles) {
+    this.array(Float32Array, this.wasm.page_given(), FLOATS * triangles.length)
+      .set(triangles.flat());
+    return this.list(this.wasm.page_triangles(triangles.length));
+  }
+
+  /* Takes those of the room instead, all or only those with one texture. */
+  room(frame, shiftX, shiftY, texture = TEXTURE_OWN) {
+    return this.list(this.wasm.page_scene(SCENE_ROOM, frame, shiftX, shiftY, texture));
+  }
+
+  list(count) {
+    const all = count ? this.array(Float32Array, this.wasm.page_list(), WORDS * count) : [];
+    return Array.from({ length: count },
+      (_, k) => Array.from(all.slice(WORDS * k, WORDS * k + FLOATS)));
+  }
+
+  segmentLength(length) {
+    this.wasm.page_segment_length(length);
+  }
+
+  /* A frame's pixels, 0xAARRGGBB, row by row: a copy. */
+  draw(stage, texture = TEXTURE_COORD) {
+    return this.array(Uint32Array, this.wasm.page_draw(standIn(stage), texture),
+      this.width * this.height).slice();
+  }
+
+  /* Before the first measurement of these triangles. False where the frame is too large. */
+  measurable() {
+    return this.width * this.height <= 1 << 21 && this.wasm.page_measurable() !== 0;
+  }
+
+  /* How a stage errs: counts, texels as frame, errors in u and v pixel by pixel. */
+  measure(stage) {
+    return this.counts(this.wasm.page_measure(standIn(stage)));
+  }
+
+  /* The same of a frame that was drawn elsewhere, for the coda and stage 5. */
+  compare(stage, pixels) {
+    this.wasm.page_measure(stage === 6 ? EXACT : 4);
+    const size = this.width * this.height;
+    this.array(Uint32Array, this.wasm.page_frame(), size).set(pixels);
+    return this.counts(this.wasm.page_compare());
+  }
+
+  counts(address) {
+    const size = this.width * this.height;
+    const [pixels, wrong, largest, missing, extra] = this.array(Int32Array, address, 5);
+    return { pixels, wrong, largest, missing, extra,
+      frame: this.array(Uint32Array, this.wasm.page_frame(), size).slice(),
+      errors: this.array(Int16Array, this.wasm.page_errors(), 2 * size).slice() };
+  }
+
+  /* Triangle k's exact answer at a pixel: u, v, z, and whether it covers it. */
+  exactAt(k, x, y) {
+    const address = this.wasm.page_exact_at(k, x, y);
+    return address ? Array.from(this.array(Float64Array, address, 4)) : null;
+  }
+
+  /* x and y of vertex i of triangle k as a stage rounds it. */
+  rounded(k, i, grid) {
+    return Array.from(this.array(Float32Array, this.wasm.page_rounded(k, i, grid), 2));
+  }
+
+  /* What a stage does with triangle k, event by event: kind, source line, pixel (counted from the
+   * frame's first, row by row), and the values by the names that the recorder gives them. */
+  trace(stage, k) {
+    const count = Math.min(this.wasm.page_trace(stage, k), EVENTS_MAX);
+    const address = this.wasm.page_events(), frame = this.wasm.page_frame();
+    const size = EVENT_WORDS / 2 + EVENT_DOUBLES; /* in doubles */
+    const words = this.array(Int32Array, address, 2 * size * count);
+    const doubles = this.array(Float64Array, address, size * count);
+    const names = KINDS.map((_, kind) => this.text(this.wasm.page_event_names(stage, kind))
+      .split(" "));
+    return Array.from({ length: count }, (_, i) => {
+      const [kind, line, pixel] = words.subarray(2 * size * i, 2 * size * i + 3);
+      const v = {};
+      names[kind].forEach((name, j) => { v[name] = doubles[size * i + EVENT_WORDS / 2 + j]; });
+      return { kind, line, pixel: (pixel - frame) / 4, v };
+    });
+  }
+
+  /* A string of C's. */
+  text(address) {
+    const bytes = new Uint8Array(this.wasm.memory.buffer, address);
+    return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
+  }
+}
+
+const texelU = (pixel) => pixel >> 16 & 0xFF;
+const texelV = (pixel) => pixel >> 8 & 0xFF;
+
+/* A pixel's error in texels, the larger of both axes; OTHER_SURFACE where coverage differs. */
+const errorAt = (errors, i) => Math.max(Math.abs(errors[2 * i]), Math.abs(errors[2 * i + 1]));
+
+/* In words. */
+function verdict(m) {
+  const coverage = [m.missing ? `${m.missing} missing` : "", m.extra ? `${m.extra} too many` : ""]
+    .filter(Boolean).join(", ");
+  return `${m.wrong} of ${plural(m.pixels, "texel")} wrong` +
+    (m.largest > 1 ? `, by up to ${m.largest}` : "") + (coverage ? `; ${coverage}` : "");
+}

@@ -1,0 +1,388 @@
+/* node test.mjs BUILD BROWSER: see tests/page/test.sh. A check prints what it expected and got. */
+import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { resolve } from "node:path";
+
+const [build, browserPath] = process.argv.slice(2);
+const require = createRequire(resolve(build, "npm/package.json"));
+const { chromium } = require("playwright-core");
+const texmap = (...words) => execFileSync(`${build}/texmap`, words, { maxBuffer: 1 << 28 });
+const address = `file://${resolve(build)}/report/index.html`;
+const STAGES = [1, 2, 3, 4];
+let passed = 0, failed = 0;
+
+function check(holds, name, ...details) {
+  passed += holds ? 1 : 0;
+  failed += holds ? 0 : 1;
+  if (!holds) {
+    console.log(`FAIL ${name}:`, ...details.map((one) => String(JSON.stringify(one)).slice(0, 400)));
+  }
+}
+
+function same(got, expected, name) {
+  const [a, b] = [got, expected].map((value) => JSON.stringify(value));
+  check(a === b, name, `expected ${b.slice(0, 300)}, got ${a.slice(0, 300)}`);
+}
+
+/* What a stage draws of a .tri file with the texture `coord`: red and green of each pixel. */
+function render(stage, triFile, size) {
+  texmap("render", "--stage", String(stage), "--triangles", triFile, "--size", size.join("x"),
+    "--texture", "coord", "-o", `${build}/page.ppm`);
+  const bytes = readFileSync(`${build}/page.ppm`);
+  const pixels = bytes.subarray(bytes.length - 3 * size[0] * size[1]);
+  return Array.from({ length: size[0] * size[1] },
+    (_, i) => (pixels[3 * i] << 16 | pixels[3 * i + 1] << 8 | pixels[3 * i + 2]));
+}
+
+function writeTriangle(v) {
+  const rows = [0, 5, 10].map((i) => v.slice(i, i + 5).join(" "));
+  writeFileSync(`${build}/page.tri`, rows.join("\n") + "\n");
+  return `${build}/page.tri`;
+}
+
+/* The module's frames of all scenes, from its base64 text. */
+async function testGolden(base64, what) {
+  const { instance } = await WebAssembly.instantiate(Buffer.from(base64, "base64"), {});
+  const wasm = instance.exports, scenes = ["room", "wall", "floor", "mesh"];
+  for (const line of readFileSync("tests/golden/digests.txt", "utf8").split("\n")) {
+    const [name, scene, frame, size, digest] = line.split(" ");
+    const segment = /^segment_(\d+|span)$/.exec(name || "");
+    const stage = segment ? 4 : Number((/^stage([1-4])_/.exec(name || "") || [])[1]);
+    if (stage) {
+      const [width, height] = size.split("x").map(Number);
+      wasm.page_open(width, height);
+      wasm.page_scene(scenes.indexOf(scene), Number(frame), 0, 0, -1);
+      wasm.page_segment_length(!segment ? 16 : segment[1] === "span" ? 4096 : Number(segment[1]));
+      const pixels = wasm.page_draw(stage, -1);
+      same(digestOf(new Uint8Array(wasm.memory.buffer, pixels, 4 * width * height)), digest,
+        `${what} draws ${name} ${scene} ${frame} ${size} as tests/golden/ has it`);
+    }
+  }
+}
+
+/* FNV-1a, 64 bits, as tests/unit/golden.c: in two halves, since a double has 53. */
+function digestOf(bytes) {
+  let high = 0xCBF29CE4, low = 0x84222325; /* times 2^40 + 0x1B3 */
+  for (const byte of bytes) {
+    low = (low ^ byte) >>> 0;
+    const product = low * 0x1B3;
+    high = (Math.imul(high, 0x1B3) + Math.floor(product / 2 ** 32) + (low << 8)) >>> 0;
+    low = product >>> 0;
+  }
+  return (high >>> 0).toString(16).padStart(8, "0") + low.toString(16).padStart(8, "0");
+}
+
+async function open(browser, hash = "", options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  page.on("console", (message) => check(!["error", "warning"].includes(message.type()),
+    "the console stays empty", message.text()));
+  page.on("pageerror", (error) => check(false, "no error in the page", error.stack));
+  await page.goto(address + hash);
+  if (options.javaScriptEnabled !== false) {
+    await page.waitForFunction(() => window.page && window.page.loaded);
+  }
+  return page;
+}
+
+const state = (page) => page.evaluate(() => window.page.stepper.state);
+
+async function testDrag(page) {
+  const handle = page.locator(".handle").first(), box = await handle.boundingBox();
+  const before = await state(page);
+  await page.mouse.move(box.x + 17, box.y + 17);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 60, box.y + 40, { steps: 5 });
+  await page.mouse.up();
+  const after = await state(page);
+  check(after.v[0] > before.v[0] && after.v[1] > before.v[1], "dragging A moves it", after.v);
+  await handle.press("ArrowRight");
+  same((await state(page)).v[0], after.v[0] + 1 / 16, "a key moves it by 1/16 pixel");
+  await testFrames(page, "the dragged triangle");
+  for (const [slider, name] of [[2, "4"], [3, "8"], [5, "32"], [6, "64"], [7, "span"]]) {
+    await page.locator("#step-length").fill(String(slider));
+    const drawn = await drawnBy(page, 4), { v, size } = await state(page);
+    same(drawn, render(`segment_${name}`, writeTriangle(v), size), `segments of ${name}`);
+  }
+  await page.locator("#step-length").fill("4");
+}
+
+const drawnBy = (page, n) => page.evaluate((stage) =>
+  Array.from(window.page.stepper.results.get(stage).frame, (pixel) => pixel & 0xFFFFFF), n);
+
+async function testFrames(page, what) {
+  const { v, size } = await state(page), file = writeTriangle(v);
+  for (const stage of [...STAGES, 7]) {
+    same(await drawnBy(page, stage), render(stage === 7 ? "exact" : stage, file, size),
+      `${what} in stage ${stage} is what texmap render draws`);
+  }
+}
+
+/* The page's events against `texmap trace`: every value of every event, and the source lines. */
+async function testTrace(page) {
+  const { v, size } = await state(page), file = writeTriangle(v);
+  for (const stage of STAGES) {
+    await page.locator("#step-stage button").nth(stage - 1).click();
+    const events = await page.evaluate(() => window.page.stepper.run.events.map((event) =>
+      ({ kind: KINDS[event.kind], side: event.side, line: event.line, x: event.x, y: event.y,
+        v: event.v })));
+    texmap("trace", "--stage", String(stage), "--triangles", file, "--size", size.join("x"), "--csv",
+      `${build}/page.csv`);
+    compareTrace(events, readCsv(`${build}/page.csv`), stage);
+    const source = readFileSync(sourceOf(stage), "utf8").split("\n");
+    const wrong = events.find(({ kind, line }) =>
+      !source[line - 1].includes(`TRACE_${kind.replace(" ", "_").toUpperCase()}(`));
+    check(!wrong, `each step of stage ${stage} names its source line`, wrong);
+  }
+}
+
+const sourceOf = (stage) => [null, "stage1_float", "stage2_dda", "stage3_fixed28_4",
+  "stage4_subdivide"][stage] + "/rasterize.c";
+
+function readCsv(file) {
+  const [head, ...rows] = readFileSync(file, "utf8").trim().split("\n")
+    .filter((line) => !line.startsWith("#")).map((line) => line.split(","));
+  return rows.map((row) => { /* `x` is twice there: a pixel's, and an edge's */
+    const named = {};
+    head.forEach((name, i) => { named[name] = named[name] || row[i]; });
+    return named;
+  });
+}
+
+/* A row of the trace is the page's event of that kind, edge, scanline and pixel. */
+function compareTrace(events, rows, stage) {
+  const key = (record, y, x) => `${record} ${y} ${/pixel|segment/.test(record) ? x : ""}`;
+  const all = new Map(events.map((event) => [key(event.side || event.kind, event.y, event.x),
+    event]));
+  let compared = 0;
+  for (const row of rows) {
+    const event = all.get(key(row.record, row.row, row.x));
+    const wrong = !event || event.line !== Number(row.line) ||
+      Object.entries(event.v).some(([name, value]) =>
+        Math.abs(value - Number(row[name])) > 1e-8 * Math.abs(value));
+    check(!wrong, `stage ${stage}: a step has the numbers of texmap trace`, row, event);
+    compared += wrong ? 0 : 1;
+  }
+  const pixels = rows.filter(({ record }) => record === "pixel").length;
+  check(pixels > 20 && pixels === events.filter(({ kind }) => kind === "pixel").length &&
+    compared === rows.length, `stage ${stage}: all pixels are stepped through`, pixels, compared);
+}
+
+/* Title, formulas and marked source of the step that the page shows. */
+const shown = (page) => page.evaluate(() => ({
+  title: document.getElementById("why-title").textContent,
+  formulas: Array.from(document.querySelectorAll("#why-formulas p"), (p) => p.textContent),
+  marked: Array.from(document.querySelectorAll("#source-now .run"), (p) => p.textContent).join(""),
+  values: Array.from(document.querySelectorAll("#why-values tbody tr.changed th"),
+    (p) => p.textContent).join(" "),
+}));
+
+/* One step of each kind, in a triangle worked out by hand: A (2, 1), B (12, 3), C (5, 11). */
+async function testWhy(page) {
+  const by = "size=16x12&v=2,1,1,0,0,12,3,2,20,0,5,11,4,0,32";
+  const steps = [
+    [2, "at=0", "Gradients", "area = x1 y2 \u2212 x2 y1 = 10 \u00b7 10 \u2212 3 \u00b7 2 = 94",
+      "g->area = x1 * y2 - x2 * y1"],
+    [2, "at=1", "Edge setup", "x_step = floor(dx / dy) = floor(3 / 10) = 0", "x_step = floor_div("],
+    [2, "carry", "Edge step", "error: 9 + 3 = 12 \u2265 10: carry, error = 12 \u2212 10 = 2",
+      "edge->error += edge->numerator"],
+    [1, "span", "Span", "first = ceil(2.3) = 3,  end = ceil(7) = 7", "ceil_to_int(left->x)"],
+    [3, "pixel=5,4", "Pixel", "u rises: floor(", "1 / at.one_over_z"],
+    [4, "segment", "Segment", "u rises: floor(u + 1/2), in lo .. hi = floor(0 + 1/2) .. " +
+      "ceil(20 \u2212 1/2) = 0 .. 20", "TRACE_SEGMENT"],
+  ];
+  for (const [stage, where, title, formula, source] of steps) {
+    await page.evaluate(([hash]) => { location.hash = hash; },
+      [`#step?stage=${stage}&${by}&${/=/.test(where) ? where : "at=0"}`]);
+    await page.waitForTimeout(60);
+    for (let i = 0; i < 40 && !/=/.test(where); i++) { /* to the first such step but one */
+      await page.locator("#step-on").click();
+      await page.waitForTimeout(25);
+      const { title: now } = await shown(page);
+      if (now.toLowerCase().includes(where) && !now.endsWith("scanline 1")) {
+        break;
+      }
+    }
+    const now = await shown(page);
+    check(now.title.startsWith(title), `stage ${stage}, ${where}: the title`, now.title);
+    check(now.formulas.some((text) => text.startsWith(formula) || text.includes(formula)),
+      `stage ${stage}, ${where}: ${formula}`, now.formulas);
+    check(now.marked.includes(source), `stage ${stage}, ${where}: the source is marked`, now.marked);
+  }
+}
+
+async function testPick(page) {
+  const canvas = page.locator("#figure-canvas"), box = await canvas.boundingBox();
+  const [x, y] = await page.evaluate(() => window.page.stepper.figure.toCanvas(6, 5));
+  await page.mouse.click(box.x + x, box.y + y);
+  await page.waitForTimeout(60);
+  check((await shown(page)).title === "Pixel: pixel 6, 5", "a click goes to the pixel's step",
+    (await shown(page)).title);
+  const { at } = await state(page);
+  await page.locator("#step-on").click();
+  await page.locator("#figure-canvas").press("ArrowLeft");
+  await page.locator("#figure-canvas").press("ArrowLeft");
+  same((await state(page)).at, at - 1, "buttons and keys step");
+  await page.locator("#transport").hover();
+  await page.mouse.wheel(0, 100);
+  await page.waitForTimeout(60);
+  same((await state(page)).at, at, "the wheel steps");
+  await page.locator("#step-play").click();
+  await page.waitForTimeout(500);
+  await page.locator("#step-play").click();
+  check((await state(page)).at > at, "play goes on", (await state(page)).at);
+}
+
+async function testAddresses(browser) {
+  let page = await open(browser, "#step?stage=3&case=turning_point&triangle=0&pixel=31,48&before=1");
+  const now = await state(page);
+  check(now.stage === 3 && now.case === "turning_point" && now.before, "a lesson's address", now);
+  check((await shown(page)).title.startsWith("Pixel: pixel 31, 48"), "its pixel",
+    (await shown(page)).title);
+  check(await page.locator("#source-before").isVisible(), "the stage before stands beside it");
+  await page.waitForTimeout(500);
+  check((await page.evaluate(() => location.hash)).includes("case=turning_point"),
+    "the address says what is shown", page.url());
+  await page.close();
+  page = await open(browser, "#step?stage=9&at=-5&v=1,2&size=0x0&case=none&length=x");
+  check((await state(page)).stage === 4 && !(await page.locator("#broken").isVisible()),
+    "nonsense in an address does no harm", await state(page));
+  await page.close();
+}
+
+async function testPictures(page) {
+  await page.locator("#pictures").scrollIntoViewIfNeeded();
+  const looks = () => page.evaluate(() => document.getElementById("picture").toDataURL());
+  const picture = page.locator("#picture");
+  const seen = new Set();
+  for (const key of ["1", "2", "4", "7"]) {
+    await picture.press(key);
+    await page.waitForTimeout(60);
+    seen.add(await looks());
+  }
+  check(seen.size === 4, "keys choose the picture", seen.size);
+  await page.locator("#picture-mode button", { hasText: "blink" }).click();
+  await picture.press("2");
+  const blinks = new Set();
+  for (let i = 0; i < 12; i++) {
+    await page.waitForTimeout(150);
+    blinks.add(await looks());
+  }
+  check(blinks.size === 2, "blink shows two pictures in turn", blinks.size);
+  for (const mode of ["swipe", "one"]) {
+    await page.locator("#picture-mode button", { hasText: mode }).click();
+  }
+  await page.locator("#picture-show button", { hasText: "error" }).click();
+  /* The table is the program's; the counts beside it the module's. */
+  const rows = await page.evaluate(() => Array.from(document.querySelectorAll(
+    "#pictures table tbody tr"), (row) => parseFloat(row.children[1].textContent)));
+  const live = await page.evaluate(() => Array.from(window.page.pictures.rooms.values(),
+    ({ wrong, pixels }) => 100 * wrong / pixels));
+  rows.forEach((row, i) => check(i === 5 || Math.abs(row - live[i]) <= 0.006 * row,
+    "wrong texels in the page are the program's", i + 1, row, live[i]));
+}
+
+async function testSwim(page) {
+  await page.locator("#swim").scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => (window.page.swim.changes.right || []).length === 128, null,
+    { timeout: 60000 });
+  const all = await page.evaluate(() => window.page.swim.changes.right);
+  const jumps = all.filter((one) => one.jumps[2]), rest = all.filter((one) => !one.jumps[2]);
+  const mean = (list, n) => list.reduce((sum, one) => sum + one[n], 0) / list.length;
+  check(jumps.length >= 4 && mean(jumps, 2) > 4 * mean(rest, 2), "stage 2 swims where a vertex jumps",
+    jumps.length, mean(jumps, 2), mean(rest, 2));
+  check(mean(jumps, 2) > 4 * mean(all, 3), "stage 3 swims less", mean(all, 3));
+  const frame = await page.evaluate(() => window.page.swim.state.frame);
+  await page.locator("#swim-play").click();
+  await page.waitForTimeout(1200);
+  await page.locator("#swim-play").click();
+  const later = await page.evaluate(() => window.page.swim.state.frame);
+  check(later > frame, "play moves the wall", frame, later);
+  await page.locator("#swim-direction button").nth(1).click();
+}
+
+async function testCases(page) {
+  const count = await page.locator(".case").count();
+  check(count > 20, "the cases are there", count);
+  const article = page.locator("#case-steep_segment");
+  await article.locator("summary").click();
+  await article.locator("canvas").nth(4).waitFor();
+  check(await article.locator("canvas").count() === 5, "a case is drawn in all stages");
+  await article.getByRole("button").click();
+  await page.waitForTimeout(100);
+  same((await state(page)).case, "steep_segment", "a case opens in the stepper");
+  await testFrames(page, "a case's triangle");
+}
+
+async function testAccess(page, what) {
+  await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
+  const { violations } = await page.evaluate(() => window.axe.run());
+  const bad = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+  check(bad.length === 0, `axe finds nothing serious, ${what}`,
+    bad.map(({ id, nodes }) => `${id}: ${nodes[0].html} ${nodes[0].failureSummary}`));
+}
+
+async function testLooks(browser) {
+  for (const [width, scheme] of [[390, "light"], [768, "dark"], [900, "light"], [1440, "dark"]]) {
+    const page = await open(browser, "", { viewport: { width, height: 900 }, colorScheme: scheme });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= width, `nothing sticks out at ${width} pixels`, wide);
+    await testAccess(page, `${width} pixels, ${scheme}`);
+    await page.screenshot({ path: `${build}/report/${width}.png`, fullPage: true });
+    await page.close();
+  }
+  const page = await open(browser, "", { javaScriptEnabled: false });
+  check(await page.locator("noscript p").isVisible() &&
+    await page.locator("#picture-files img").first().isVisible() &&
+    !(await page.locator("#step .live").isVisible()) &&
+    await page.locator("#cases table").isVisible(), "without JavaScript it can be read");
+  await page.pdf({ path: `${build}/report/page.pdf` });
+  await page.close();
+}
+
+async function testSpeed(page) {
+  const [ready, drag] = await page.evaluate(() => {
+    const { stepper } = window.page, times = [];
+    for (let i = 0; i < 40; i++) {
+      const started = performance.now();
+      stepper.move(0, 2 + i / 16, 1.5);
+      stepper.draw();
+      times.push(performance.now() - started);
+    }
+    return [window.page.ready, times.sort((a, b) => a - b)[20]];
+  });
+  console.log(`ready after ${Math.round(ready)} ms, a drag redraws in ${drag.toFixed(1)} ms`);
+  check(ready < 2000 && drag < 64, "ready in .5 s, a drag in 16 ms, on a machine four times as busy",
+    ready, drag);
+}
+
+const html = readFileSync(`${build}/report/index.html`, "utf8");
+check(html.length < 5e6, "the page is under 5 MB", html.length);
+await testGolden(/id="module">\s*([^<]*)/.exec(html)[1], "the page's module");
+try {
+  execFileSync("sh", ["tests/page/wasm/build.sh", "fresh"]);
+  await testGolden(readFileSync("tests/page/wasm/stages.wasm.base64", "utf8"),
+    "the module in the repository");
+} catch (stale) {
+  check(stale.stdout, "the module is fresh, or said to be older", stale);
+}
+
+const browser = await chromium.launch({ executablePath: browserPath, args: ["--no-sandbox"] });
+const page = await open(browser);
+await testSpeed(page);
+await page.reload();
+await page.waitForFunction(() => window.page && window.page.loaded);
+await testFrames(page, "the first triangle");
+await testTrace(page);
+await testPick(page);
+await testDrag(page);
+await testWhy(page);
+await testPictures(page);
+await testSwim(page);
+await testCases(page);
+await page.close();
+await testAddresses(browser);
+await testLooks(browser);
+await browser.close();
+console.log(`page: ${passed} passed, ${failed} failed`);
+process.exit(failed ? 1 : 0);

@@ -1,0 +1,279 @@
+/* The module that the page runs: stages 1 to 4 and the exact answer, compiled to WebAssembly as
+ * they are, and what JavaScript needs to call them. tests/page/wasm/build.sh builds it.
+ *
+ * JavaScript opens a frame, gives it triangles, then lets stages draw, measures and traces. All
+ * that lies in the module's memory, from the addresses that the functions return; any of them may
+ * move the memory to grow it. A stage is its number; 7 is the exact answer. */
+#include <stdlib.h>
+#include <string.h>
+#include "common/clip.h"
+#include "common/scene.h"
+#include "tests/exact/exact.h"
+#include "tests/exact/meter.h"
+#include "tests/page/wasm/segment.h"
+#include "tests/trace/recorder.h"
+
+#define EXPORT(name) __attribute__((export_name(#name)))
+#define PAGE_BYTES 65536 /* of WebAssembly's memory */
+#define TRIANGLES_MAX 64 /* that JavaScript can give */
+#define FLOATS 15        /* a triangle's: x y z u v, three times */
+#define EVENTS_MAX 50000 /* of a trace */
+#define EXACT 7
+#define OTHER_SURFACE 32767 /* in errors: the stage and the exact answer show different ones */
+
+int chosen_segment_length = 16;
+
+extern unsigned char __heap_base; /* from the linker: memory is free from here on */
+static size_t heap_end, heap_kept; /* addresses; what lies below heap_kept stays */
+
+void *malloc(size_t size)
+{
+    const size_t start = (heap_end + 15) / 16 * 16 + 16; /* the size stands in front of a block */
+    const size_t pages = (start + size + PAGE_BYTES - 1) / PAGE_BYTES;
+
+    if (start + size < start || (pages > __builtin_wasm_memory_size(0) &&
+        __builtin_wasm_memory_grow(0, pages - __builtin_wasm_memory_size(0)) == (size_t)-1)) {
+        return NULL;
+    }
+    heap_end = start + size;
+    ((size_t *)start)[-1] = size;
+    return (void *)start;
+}
+
+void *calloc(size_t count, size_t size)
+{
+    void *block = malloc(count * size); /* at most 16 bytes for each of 2^24 pixels */
+
+    return block ? memset(block, 0, count * size) : NULL;
+}
+
+void *realloc(void *block, size_t size)
+{
+    const size_t old = block ? ((size_t *)block)[-1] : 0;
+    void *larger = malloc(size);
+
+    return larger && block ? memcpy(larger, block, old < size ? old : size) : larger;
+}
+
+void free(void *block) { (void)block; }
+
+draw_triangle traced1_draw_triangle, traced2_draw_triangle, traced3_draw_triangle,
+    traced4_draw_triangle;
+
+static draw_triangle *const drawing[] = {NULL, stage1_draw_triangle, stage2_draw_triangle,
+    stage3_draw_triangle, stage4_draw_triangle, NULL, NULL, exact_draw_triangle};
+static draw_triangle *const tracing[] = {NULL, traced1_draw_triangle, traced2_draw_triangle,
+    traced3_draw_triangle, traced4_draw_triangle};
+
+static struct image textures[TEXTURE_COUNT];
+static struct meter meter; /* without its ruler: it is not used here */
+static struct triangle_list list;
+static float given[TRIANGLES_MAX][FLOATS];
+static int16_t *errors;
+
+/* Begins anew, with an empty frame. False when there is no memory. */
+EXPORT(page_open) bool page_open(int width, int height)
+{
+    if (!heap_kept) {
+        heap_end = (size_t)&__heap_base;
+        for (int i = 0; i < TEXTURE_COUNT; i++) {
+            if (!texture_create(&textures[i], i)) {
+                return false;
+            }
+        }
+        heap_kept = heap_end;
+    }
+    heap_end = heap_kept;
+    list = (struct triangle_list){0};
+    meter = (struct meter){.coordinates = textures[TEXTURE_COORD]};
+    errors = NULL;
+    return image_create(&meter.frame, width, height);
+}
+
+/* Where up to TRIANGLES_MAX triangles are put for page_triangles. */
+EXPORT(page_given) float *page_given(void) { return given[0]; }
+
+static struct view view_of(double shift_x, double shift_y)
+{
+    return (struct view){meter.frame.width, meter.frame.height, shift_x, shift_y};
+}
+
+/* Takes the given triangles, x and y rounded to the grid of 2^-16, clipped to the frame. Returns
+ * how many there are then. */
+EXPORT(page_triangles) size_t page_triangles(int count)
+{
+    struct triangle_list unclipped = {0};
+    const struct view view = view_of(0, 0);
+
+    list = (struct triangle_list){0};
+    for (int i = 0; i < count && i < TRIANGLES_MAX; i++) {
+        struct triangle triangle = {.texture = TEXTURE_COORD};
+        for (int k = 0; k < 3; k++) {
+            const float *v = &given[i][5 * k];
+            triangle.v[k] =
+                (struct vertex){round_to_grid(v[0]), round_to_grid(v[1]), v[2], v[3], v[4]};
+        }
+        triangle_list_add(&unclipped, &triangle);
+    }
+    return clip_screen_triangles(&unclipped, &view, &list) ? list.count : 0;
+}
+
+/* Takes a scene's triangles instead, moved by so many pixels; texture -1: all, else only those with
+ * that texture. */
+EXPORT(page_scene) size_t page_scene(int scene, int frame, double shift_x, double shift_y,
+                                     int texture)
+{
+    const struct view view = view_of(shift_x, shift_y);
+    size_t kept = 0;
+
+    list = (struct triangle_list){0};
+    scene_build(scene, frame, &view, &list);
+    for (size_t i = 0; i < list.count; i++) {
+        if (texture < 0 || list.items[i].texture == (enum texture_id)texture) {
+            list.items[kept++] = list.items[i];
+        }
+    }
+    return list.count = kept;
+}
+
+/* The triangles: 15 floats each, then a 32-bit number for the texture. */
+EXPORT(page_list) const struct triangle *page_list(void) { return list.items; }
+
+EXPORT(page_segment_length) void page_segment_length(int length) { chosen_segment_length = length; }
+
+/* Draws the frame; texture -1: each triangle's own. Returns its pixels. */
+EXPORT(page_draw) const uint32_t *page_draw(int stage, int texture)
+{
+    struct image *frame = &meter.frame;
+
+    memset(frame->pixels, 0, (size_t)frame->width * (size_t)frame->height * 4);
+    for (size_t i = 0; i < list.count; i++) {
+        const int own = texture < 0 ? (int)list.items[i].texture : texture;
+        drawing[stage](frame, &textures[own], list.items[i].v);
+    }
+    return frame->pixels;
+}
+
+/* The frame's pixels, to be filled from elsewhere. */
+EXPORT(page_frame) uint32_t *page_frame(void) { return meter.frame.pixels; }
+
+/* Lets a stage draw triangle k, and records how. Returns how many events there were; those beyond
+ * EVENTS_MAX are not kept. */
+EXPORT(page_trace) int page_trace(int stage, int k)
+{
+    static struct trace_event events[EVENTS_MAX];
+
+    trace_recorder = (struct trace_recorder){.events = events, .capacity = EVENTS_MAX};
+    tracing[stage](&meter.frame, &textures[TEXTURE_COORD], list.items[k].v);
+    return trace_recorder.count;
+}
+
+/* Each event: its kind, source line and pixel's address, a word each, an empty one, and
+ * TRACE_VALUES doubles. */
+EXPORT(page_events) const struct trace_event *page_events(void) { return trace_recorder.events; }
+
+/* The names of an event's values, with a space between; ends with a 0. */
+EXPORT(page_event_names) const char *page_event_names(int stage, int kind)
+{
+    return trace_names[stage - 1][kind];
+}
+
+/* How far texel index `got` is from the right one, or from the nearer of two. */
+static int axis_error(struct axis_place exact, uint32_t got)
+{
+    const int error = texel_difference(exact.texel, (int)got, TEXTURE_SIDE);
+
+    return error == exact.other ? 0 : error;
+}
+
+/* Prepares to measure the triangles: the exact answer for all of the frame. False when there is no
+ * memory. */
+EXPORT(page_measurable) bool page_measurable(void)
+{
+    const size_t pixels = meter_pixels(&meter);
+
+    if (!meter.exact) {
+        meter.exact = malloc(pixels * sizeof *meter.exact);
+        errors = malloc(pixels * 2 * sizeof *errors);
+        if (!meter.exact || !errors ||
+            !image_create(&meter.surfaces, meter.frame.width, meter.frame.height) ||
+            !image_create(&meter.exact_surfaces, meter.frame.width, meter.frame.height)) {
+            return false;
+        }
+    }
+    if (!meter_begin(&meter, &list)) {
+        return false;
+    }
+    meter_exact(&meter, &list, 0, 1);
+    return true;
+}
+
+/* Counts, in the frame as it is, drawn with the texture `coord`, against the exact answer: pixels
+ * compared, wrong ones, the largest error, pixels missing, pixels too many. page_errors has each
+ * pixel's error then. */
+EXPORT(page_compare) const int *page_compare(void)
+{
+    static int counts[5];
+    int *pixels = &counts[0], *wrong = &counts[1], *largest = &counts[2];
+
+    memset(counts, 0, sizeof counts);
+    for (size_t i = 0; i < meter_pixels(&meter); i++) {
+        const uint32_t exact = meter.exact_surfaces.pixels[i], got = meter.surfaces.pixels[i];
+        const uint32_t texel = meter.frame.pixels[i]; /* u is red, v green */
+        int16_t *error = &errors[2 * i];
+        error[0] = error[1] = exact == got ? 0 : OTHER_SURFACE;
+        if (exact != got) {
+            counts[3] += exact != 0;
+            counts[4] += got != 0;
+        } else if (exact != 0) {
+            error[0] = (int16_t)axis_error(meter.exact[i].u, texel >> 16 & 0xFF);
+            error[1] = (int16_t)axis_error(meter.exact[i].v, texel >> 8 & 0xFF);
+            const int u = abs(error[0]), v = abs(error[1]);
+            *pixels += 1;
+            *wrong += u + v > 0;
+            *largest = u > *largest ? u : *largest;
+            *largest = v > *largest ? v : *largest;
+        }
+    }
+    return counts;
+}
+
+/* Draws with the texture `coord`, and the surfaces, and counts. */
+EXPORT(page_measure) const int *page_measure(int stage)
+{
+    meter_draw_surfaces(&meter, &list, drawing[stage]);
+    meter_draw(&meter, &list, drawing[stage], &meter.coordinates, 1);
+    return page_compare();
+}
+
+/* Texel error in u, then in v, pixel by pixel; OTHER_SURFACE where the wrong surface is seen. */
+EXPORT(page_errors) const int16_t *page_errors(void) { return errors; }
+
+/* Triangle k's exact answer at a pixel, whether or not it covers it: u, v, z, and 1 where it does.
+ * NULL where the triangle has no area. */
+EXPORT(page_exact_at) const double *page_exact_at(int k, int x, int y)
+{
+    static double answer[4];
+    struct exact_triangle triangle;
+    int first, end;
+
+    if (!exact_setup(&triangle, list.items[k].v)) {
+        return NULL;
+    }
+    const struct exact_point at = exact_at(&triangle, x, y);
+    exact_row(&triangle, y, meter.frame.width, &first, &end);
+    answer[0] = at.u;
+    answer[1] = at.v;
+    answer[2] = at.z;
+    answer[3] = x >= first && x < end;
+    return answer;
+}
+
+/* The vertex i of triangle k as a stage with `grid` positions a pixel has it: x and y. */
+EXPORT(page_rounded) const float *page_rounded(int k, int i, int grid)
+{
+    static struct vertex rounded;
+
+    rounded = exact_round(&list.items[k].v[i], grid);
+    return &rounded.x;
+}
