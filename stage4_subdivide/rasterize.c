@@ -82,11 +82,6 @@ static inline struct range range_setup(float a, float b, float c, int size)
                           min(hi + 0.5f - TEXEL_MARGIN, TEXEL_MAX)};
 }
 
-static inline float clamp(float u_over_z, float z, struct range u)
-{
-    return min(max(u_over_z * z, u.low), u.high);
-}
-
 /* How the interpolants change over the triangle; what u and v stay within there. */
 struct gradients {
     double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
@@ -159,90 +154,73 @@ static inline void edge_step(struct edge *edge)
     TRACE_EDGE_STEP(edge);
 }
 
-/* A texture whose rows follow one another: texel (u, v) is pixels[v width + u]. */
-struct texels {
-    const uint32_t *pixels;
-    int u_mask, v_mask; /* v_mask times width */
-    int v_shift;             /* takes a 16.16 v to v width */
-};
-
-static inline struct texels texels_setup(const struct image *texture)
-{
-    int v_shift = 16;
-    while (texture->width >> (16 - v_shift) > 1)
-        v_shift--;
-    return (struct texels){texture->pixels, texture->width - 1,
-                           (texture->height - 1) * texture->width, v_shift};
-}
-
 #define TEXEL_ONE 65536 /* 16.16 fixed point */
-#define TIE 4           /* 16.16: more than a float of up to 256 loses on its way */
+#define TIE 4 /* 16.16: more than a float of up to 256 loses on its way */
+
+/* What is added to a coordinate before its fraction is truncated. Where the coordinate rises along
+ * the segment the texel is floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to
+ * size - 1/2, or back, stays inside at the end that it draws. The odd TIE takes a c that should
+ * lie on a border, and came out just short of it, for what it should be. */
+static inline int rounding(bool rises) { return TEXEL_ONE / 2 + (rises ? TIE : -TIE); }
+
+static inline float clamp(float u, struct range r) { return min(max(u, r.low), r.high); }
 
 #ifndef SEGMENT_LENGTH
 #define SEGMENT_LENGTH 16 /* pixels from one divide to the next; tried with others too */
 #endif
 struct texel { float u, v; };
+struct line { uint32_t start, step; }; /* 16.16, modulo 2^16 texels */
 
 /* The true texel coordinates where the interpolants are `at`:  u = (u/z) (1 / (1/z)) */
 static inline struct texel texel_at(const struct gradients *g, struct interpolants at)
 {
     const float z = 1 / max(at.one_over_z, g->one_over_z_min);
-    return (struct texel){clamp(at.u_over_z, z, g->u), clamp(at.v_over_z, z, g->v)};
+    const float u_over_z = at.u_over_z, v_over_z = at.v_over_z;
+    return (struct texel){clamp(u_over_z * z, g->u), clamp(v_over_z * z, g->v)};
 }
 
-/* A 16.16 coordinate modulo 2^16 texels: at a segment's start, and what a pixel adds. */
-struct line {
-    uint32_t start, step;
-};
-
-/* From start to end, `length` pixels on. Where the coordinate rises the texel is floor(c + 1/2),
- * where it falls ceil(c - 1/2): so a span from -1/2 to size - 1/2, or back, stays inside at the end
- * that it draws. The odd TIE takes a c that should lie on a border, and came out just short of it,
- * for what it should be. |end - start| <= 2^15 and length >= 1: the step, rounded to the nearest,
- * fits 64 bits, and its low 32 are right. */
+/* A coordinate on its way from start to end, `length` pixels on. |end - start| <= 2^15: the step,
+ * rounded to the nearest, fits 64 bits, and its low 32 are right. */
 static inline struct line line_setup(float start, float end, int length)
 {
     const bool rises = end >= start;
     const float step = (end - start) * ((float)TEXEL_ONE / length) + (rises ? 0.5f : -0.5f);
-    return (struct line){(int)(start * TEXEL_ONE) + TEXEL_ONE / 2 + (rises ? TIE : -TIE),
-                         (int64_t)step};
+    return (struct line){(int)(start * TEXEL_ONE) + rounding(rises), (int64_t)step};
 }
 
-static inline void draw_pixel(uint32_t *pixel, const struct texels *t, uint32_t u, uint32_t v)
+/* `count` pixels, on the line from start to end, `length` pixels on. */
+static inline void draw_segment(uint32_t *pixels, int count, const struct image *texture,
+                                struct texel start, struct texel end, int length)
 {
-    TRACE_PIXEL(pixel, t, u, v);
-    *pixel = t->pixels[(v >> t->v_shift & t->v_mask) + (u >> 16 & t->u_mask)];
-}
-
-/* `count` pixels on the lines u and v. */
-static inline void draw_segment(uint32_t *pixels, int count, const struct texels *texels,
-                                struct line u_line, struct line v_line)
-{
-    const struct texels t = *texels;
-    const uint32_t u_step = u_line.step, v_step = v_line.step;
+    const uint32_t *texels = texture->pixels;
+    const int u_mask = texture->width - 1, v_mask = (texture->height - 1) * texture->width;
+    const int v_shift = 16 - __builtin_ctz(texture->width); /* from 16.16 to v width */
+    const struct line u_line = line_setup(start.u, end.u, length);
+    const struct line v_line = line_setup(start.v, end.v, length);
     uint32_t u = u_line.start, v = v_line.start;
-    for (; count >= 4; count -= 4, pixels += 4) {
-        draw_pixel(&pixels[0], &t, u, v);
-        u += u_step, v += v_step;
-        draw_pixel(&pixels[1], &t, u, v);
-        u += u_step, v += v_step;
-        draw_pixel(&pixels[2], &t, u, v);
-        u += u_step, v += v_step;
-        draw_pixel(&pixels[3], &t, u, v);
-        u += u_step, v += v_step;
+    TRACE_SEGMENT(pixels, count, length, start, end, u_line, v_line);
+#pragma GCC unroll 4
+    for (int i = 0; i < count; i++) {
+        TRACE_PIXEL(&pixels[i], u, v);
+        pixels[i] = texels[(v >> v_shift & v_mask) + (u >> 16 & u_mask)];
+        u += u_line.step;
+        v += v_line.step;
     }
-    for (; count > 0; count--, pixels++) {
-        draw_pixel(pixels, &t, u, v);
-        u += u_step, v += v_step;
-    }
+}
+
+/* Where a segment ends that begins `last` pixels before the span's last: not beyond that, as 1/z may
+ * reach 0 there. But one of a single pixel ends at the next, to know in which direction it goes. */
+static inline int segment_length(int last)
+{
+    return last >= SEGMENT_LENGTH ? SEGMENT_LENGTH : last > 0 ? last : 1;
 }
 
 /* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
-static inline void draw_span(struct image *frame, const struct texels *t,
+static inline void draw_span(struct image *frame, const struct image *texture,
                              const struct gradients *g, const struct edge *left,
                              const struct edge *right, int y)
 {
-    int last = right->x - left->x - 1; /* no segment ends beyond: 1/z may reach 0 there */
+    int last = right->x - left->x - 1;
     if (last < 0)
         return;
     uint32_t *pixels = &frame->pixels[y * frame->stride + left->x];
@@ -250,27 +228,17 @@ static inline void draw_span(struct image *frame, const struct texels *t,
     TRACE_SPAN(y, left, right, at, g->dx);
 
     struct texel start = texel_at(g, at);
-    int length = last < SEGMENT_LENGTH ? last : SEGMENT_LENGTH;
-    length += length == 0;
-    at = add(at, scale(length, g->dx));
+    at = add(at, scale(segment_length(last), g->dx));
     struct texel end = texel_at(g, at);
     for (; last >= SEGMENT_LENGTH; pixels += SEGMENT_LENGTH) {
         last -= SEGMENT_LENGTH;
-        length = last < SEGMENT_LENGTH ? last : SEGMENT_LENGTH;
-        length += length == 0;
-        at = add(at, scale(length, g->dx));
-        const struct texel next = texel_at(g, at);
-        const struct line u = line_setup(start.u, end.u, SEGMENT_LENGTH);
-        const struct line v = line_setup(start.v, end.v, SEGMENT_LENGTH);
-        TRACE_SEGMENT(pixels, SEGMENT_LENGTH, SEGMENT_LENGTH, start, end, u, v);
-        draw_segment(pixels, SEGMENT_LENGTH, t, u, v);
+        at = add(at, scale(segment_length(last), g->dx));
+        const struct texel next = texel_at(g, at); /* divides while this segment is drawn */
+        draw_segment(pixels, SEGMENT_LENGTH, texture, start, end, SEGMENT_LENGTH);
         start = end;
-        end = next; /* one segment ahead: it was divided while this one was drawn */
+        end = next;
     }
-    const struct line u = line_setup(start.u, end.u, length);
-    const struct line v = line_setup(start.v, end.v, length);
-    TRACE_SEGMENT(pixels, last + 1, length, start, end, u, v);
-    draw_segment(pixels, last + 1, t, u, v);
+    draw_segment(pixels, last + 1, texture, start, end, segment_length(last));
 }
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
@@ -279,7 +247,6 @@ void stage4_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    const struct texels texels = texels_setup(texture);
     const struct vertex *top = &v[0], *middle = &v[1], *bottom = &v[2];
     sort_two(&top, &middle);
     sort_two(&middle, &bottom);
@@ -302,7 +269,7 @@ void stage4_draw_triangle(struct image *frame, const struct image *texture,
             continue; /* it crosses no scanline, and may be flat */
         edge_setup(short_edge, &g, &c[i], &c[i + 1]);
         for (int y = c[i].row; y < c[i + 1].row; y++) {
-            draw_span(frame, &texels, &g, &left, &right, y);
+            draw_span(frame, texture, &g, &left, &right, y);
             edge_step(&left);
             edge_step(&right);
         }

@@ -155,28 +155,10 @@ static inline void edge_step(struct edge *edge)
     TRACE_EDGE_STEP(edge);
 }
 
-/* A texture whose rows follow one another: texel (u, v) is pixels[v width + u]. */
-struct texels {
-    const uint32_t *pixels;
-    int u_mask, v_mask; /* v_mask times width */
-    int v_shift;             /* takes a 16.16 v to v width */
-};
-
-static inline struct texels texels_setup(const struct image *texture)
-{
-    int v_shift = 16;
-    while (texture->width >> (16 - v_shift) > 1)
-        v_shift--;
-    return (struct texels){texture->pixels, texture->width - 1,
-                           (texture->height - 1) * texture->width, v_shift};
-}
-
-#define TEXEL_ONE 65536 /* 16.16 fixed point */
-#define TIE 4           /* 16.16: more than a float of up to 256 loses on its way */
-
 #define SEGMENT_LENGTH 16 /* pixels from one divide to the next */
 
-/* `count` pixels, on the line from where the interpolants are `at` to `length` pixels on. */
+/* What span.S needs to draw `count` pixels, on the line from where the interpolants are `at` to where
+ * they are `length` pixels on. */
 struct segment {
     struct interpolants at;
     double length;
@@ -184,59 +166,64 @@ struct segment {
     int count;
 };
 
-/* Segments that wait to be drawn, four at a time. */
 #define QUEUE_LENGTH 16
+/* Segments wait here, because span.S draws four side by side. */
 struct queue {
-    struct segment segments[QUEUE_LENGTH];
-    int count;
-    const struct texels *texels;
-    const struct gradients *g;
+    struct segment segments[QUEUE_LENGTH], *next;
 };
 
 /* In span.S: draws the segments, at least one. */
-void stage5_draw_segments(const struct segment *segments, int count, const struct texels *texels,
+void stage5_draw_segments(const struct segment *segments, int count, const struct image *texture,
                           const struct gradients *g);
 _Static_assert(sizeof(struct segment) == 48 && offsetof(struct segment, length) == 24 &&
-               offsetof(struct segment, pixels) == 32 && offsetof(struct segment, count) == 40,
-               "S_LENGTH .. S_SIZE in span.S");
-_Static_assert(offsetof(struct texels, u_mask) == 8 && offsetof(struct texels, v_mask) == 12 &&
-               offsetof(struct texels, v_shift) == 16, "T_U_MASK .. T_V_SHIFT in span.S");
-_Static_assert(offsetof(struct gradients, dx) == 8 &&
-               offsetof(struct gradients, one_over_z_min) == 56 &&
-               offsetof(struct gradients, u) == 60 && offsetof(struct gradients, v) == 68,
-               "G_DX .. G_RANGES in span.S");
+               offsetof(struct segment, pixels) == 32 && offsetof(struct segment, count) == 40 &&
+               offsetof(struct image, height) == 4 && offsetof(struct image, pixels) == 16 &&
+               offsetof(struct gradients, dx) == 8 && offsetof(struct gradients, u) == 60 &&
+               offsetof(struct gradients, one_over_z_min) == 56, "S_, I_ and G_ in span.S");
 
-static inline void draw_queue(struct queue *queue)
+static inline void draw_queue(struct queue *queue, const struct image *texture,
+                              const struct gradients *g)
 {
-    stage5_draw_segments(queue->segments, queue->count, queue->texels, queue->g);
-    queue->count = 0;
+    stage5_draw_segments(queue->segments, queue->next - queue->segments, texture, g);
+    queue->next = queue->segments;
 }
 
-static inline void draw_segment(struct queue *queue, uint32_t *pixels, int count,
-                                struct interpolants at, int length)
+static inline void draw_segment(uint32_t *pixels, int count, const struct image *texture,
+                                const struct gradients *g, struct interpolants at, int length,
+                                struct queue *queue)
 {
-    TRACE_SEGMENT(pixels, count, at, length);
-    queue->segments[queue->count++] = (struct segment){at, length, pixels, count};
-    if (queue->count == QUEUE_LENGTH)
-        draw_queue(queue);
+    TRACE_SEGMENT(pixels, count, length, at);
+    *queue->next++ = (struct segment){at, length, pixels, count};
+    if (queue->next == queue->segments + QUEUE_LENGTH)
+        draw_queue(queue, texture, g);
+}
+
+/* Where a segment ends that begins `last` pixels before the span's last: not beyond that, as 1/z may
+ * reach 0 there. But one of a single pixel ends at the next, to know in which direction it goes. */
+static inline int segment_length(int last)
+{
+    return last >= SEGMENT_LENGTH ? SEGMENT_LENGTH : last > 0 ? last : 1;
 }
 
 /* One scanline of the triangle: pixels ceil(left) .. ceil(right) - 1, the top-left fill rule. */
-static inline void draw_span(struct image *frame, struct queue *queue,
+static inline void draw_span(struct image *frame, const struct image *texture,
                              const struct gradients *g, const struct edge *left,
-                             const struct edge *right, int y)
+                             const struct edge *right, int y, struct queue *queue)
 {
-    int last = right->x - left->x - 1; /* no segment ends beyond: 1/z may reach 0 there */
+    int last = right->x - left->x - 1;
     if (last < 0)
         return;
     uint32_t *pixels = &frame->pixels[y * frame->stride + left->x];
     struct interpolants at = left->at;
     TRACE_SPAN(y, left, right, at, g->dx);
-    for (; last >= SEGMENT_LENGTH; last -= SEGMENT_LENGTH, pixels += SEGMENT_LENGTH) {
-        draw_segment(queue, pixels, SEGMENT_LENGTH, at, SEGMENT_LENGTH);
-        at = add(at, scale(SEGMENT_LENGTH, g->dx));
+
+    const struct interpolants step = scale(SEGMENT_LENGTH, g->dx);
+    for (; last >= SEGMENT_LENGTH; pixels += SEGMENT_LENGTH) {
+        last -= SEGMENT_LENGTH;
+        draw_segment(pixels, SEGMENT_LENGTH, texture, g, at, SEGMENT_LENGTH, queue);
+        at = add(at, step);
     }
-    draw_segment(queue, pixels, last + 1, at, last > 0 ? last : 1);
+    draw_segment(pixels, last + 1, texture, g, at, segment_length(last), queue);
 }
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
@@ -245,7 +232,6 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
                           const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    const struct texels texels = texels_setup(texture);
     const struct vertex *top = &v[0], *middle = &v[1], *bottom = &v[2];
     sort_two(&top, &middle);
     sort_two(&middle, &bottom);
@@ -259,9 +245,7 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
     g.v = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
 
     struct queue queue;
-    queue.count = 0;
-    queue.texels = &texels;
-    queue.g = &g;
+    queue.next = queue.segments;
     /* The long edge is walked once, beside one short edge, then the other. */
     struct edge left, right;
     struct edge *long_edge = g.area > 0 ? &left : &right;
@@ -272,11 +256,11 @@ void stage5_draw_triangle(struct image *frame, const struct image *texture,
             continue; /* it crosses no scanline, and may be flat */
         edge_setup(short_edge, &g, &c[i], &c[i + 1]);
         for (int y = c[i].row; y < c[i + 1].row; y++) {
-            draw_span(frame, &queue, &g, &left, &right, y);
+            draw_span(frame, texture, &g, &left, &right, y, &queue);
             edge_step(&left);
             edge_step(&right);
         }
     }
-    if (queue.count > 0)
-        draw_queue(&queue);
+    if (queue.next > queue.segments)
+        draw_queue(&queue, texture, &g);
 }

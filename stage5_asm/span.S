@@ -1,7 +1,7 @@
 /* Stage 5's inner loop: x86-64 with SSE2, System V calling convention, Intel syntax.
  *
  *   void stage5_draw_segments(const struct segment *segments, int count,
- *                             const struct texels *texels, const struct gradients *g);
+ *                             const struct image *texture, const struct gradients *g);
  *
  * draws segments with stage 4's arithmetic: its C stands beside each group of instructions. An SSE
  * register holds four floats or integers, and so four segments lie side by side, a lane each,
@@ -10,7 +10,7 @@
  *
  *   register              holds
  *   rdi esi               segments; how many are left
- *   rdx rcx               texels and g, on entry
+ *   rdx rcx               texture and g, on entry
  *   r8                    the texture's pixels
  *   xmm12 xmm13 xmm14     u_mask and v_mask, in four lanes; v_shift
  *   xmm0 xmm1             u, v of the next pixel, 16.16, a segment a lane
@@ -21,15 +21,15 @@
  */
         .intel_syntax noprefix
 
-/* struct segment, struct texels, struct gradients: asserted in rasterize.c */
+/* struct segment, struct image, struct gradients: asserted in rasterize.c */
         .set    S_AT, 0                         /* doubles 1/z, u/z, v/z */
         .set    S_LENGTH, 24                    /* double */
         .set    S_PIXELS, 32
         .set    S_COUNT, 40
         .set    S_SIZE, 48
-        .set    T_U_MASK, 8
-        .set    T_V_MASK, 12
-        .set    T_V_SHIFT, 16
+        .set    I_WIDTH, 0
+        .set    I_HEIGHT, 4
+        .set    I_PIXELS, 16
         .set    G_DX, 8                         /* doubles: of 1/z, u/z, v/z */
         .set    G_ONE_OVER_Z_MIN, 56
         .set    G_RANGES, 60                    /* floats: u low, u high, v low, v high */
@@ -82,7 +82,7 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
 /* u = clamp(u_over_z (1 / max(one_over_z, one_over_z_min))), v likewise, in place */
         .macro  texel_at one_over_z, u, v, t
         maxps   \one_over_z, [rsp + F_ONE_OVER_Z_MIN]
-        movaps  \t, [rip + ones]
+        movaps  \t, [rip + texel_one]
         divps   \t, \one_over_z
         mulps   \u, \t
         mulps   \v, \t
@@ -103,7 +103,6 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
         mulps   \end, \per_pixel
         addps   \end, \t                        /* step = ... + (rises ? .5 : -.5) */
         cvttps2dq \end, \end                    /* 2^31 becomes -2^31: the same modulo 2^32 */
-        mulps   \start, [rip + texel_one]
         cvttps2dq \start, \start
         pand    \falls, [rip + two_ties]
         paddd   \start, [rip + half_up]
@@ -169,12 +168,23 @@ stage5_draw_segments:
         .irp    i, 0, 1, 2, 3, 4                /* 1/z's least, then the ranges */
         movss   xmm0, dword ptr [rcx + G_ONE_OVER_Z_MIN + 4 * \i]
         shufps  xmm0, xmm0, 0
+        .if     \i
+        mulps   xmm0, [rip + texel_one]
+        .endif
         movaps  [rsp + F_ONE_OVER_Z_MIN + 16 * \i], xmm0
         .endr
-        mov     r8, [rdx]
-        movd    xmm12, dword ptr [rdx + T_U_MASK]
-        movd    xmm13, dword ptr [rdx + T_V_MASK]
-        movd    xmm14, dword ptr [rdx + T_V_SHIFT]
+        mov     r8, [rdx + I_PIXELS]
+        mov     eax, [rdx + I_WIDTH]
+        mov     edx, [rdx + I_HEIGHT]
+        dec     edx
+        imul    edx, eax
+        movd    xmm13, edx                      /* v_mask = (height - 1) width */
+        bsf     ecx, eax
+        dec     eax
+        movd    xmm12, eax                      /* u_mask = width - 1 */
+        mov     eax, 16
+        sub     eax, ecx
+        movd    xmm14, eax                      /* v_shift = 16 - log2(width) */
         pshufd  xmm12, xmm12, 0
         pshufd  xmm13, xmm13, 0
 
@@ -184,21 +194,21 @@ stage5_draw_segments:
         mov     ebx, esi
         lea     rdx, [rsp + F_LINES]
 
-/* The address of the segment in each lane: of four, or fewer: then the last is in the others too. */
-        .macro  segments left, s0, s1, s2, s3
-        lea     \s1, [\s0 + S_SIZE]
+/* The addresses of the next four segments, or fewer: then the last stands in the other lanes too. */
+        .macro  segments left
+        lea     rax, [rdi + S_SIZE]
         cmp     \left, 2
-        cmovl   \s1, \s0
-        lea     \s2, [\s1 + S_SIZE]
+        cmovl   rax, rdi
+        lea     rcx, [rax + S_SIZE]
         cmp     \left, 3
-        cmovl   \s2, \s1
-        lea     \s3, [\s2 + S_SIZE]
+        cmovl   rcx, rax
+        lea     r9, [rcx + S_SIZE]
         cmp     \left, 4
-        cmovl   \s3, \s2
+        cmovl   r9, rcx
         .endm
 
 /* Where each of the segments starts, and how it steps. Their divides overlap. */
-set_up: segments esi, rdi, rax, rcx, r9
+set_up: segments esi
         movsd   xmm10, qword ptr [rdi + S_LENGTH]
         movhpd  xmm10, qword ptr [rax + S_LENGTH]
         movsd   xmm11, qword ptr [rcx + S_LENGTH]
@@ -211,8 +221,8 @@ set_up: segments esi, rdi, rax, rcx, r9
         cvtpd2ps xmm10, xmm10
         cvtpd2ps xmm11, xmm11
         movlhps xmm10, xmm11
-        movaps  xmm11, [rip + texel_one]
-        divps   xmm11, xmm10                    /* TEXEL_ONE / length */
+        movaps  xmm11, [rip + ones]
+        divps   xmm11, xmm10                    /* 1 / length */
         line_setup xmm0, xmm2, xmm11, xmm4, xmm5
         line_setup xmm1, xmm3, xmm11, xmm6, xmm7
 
@@ -235,7 +245,7 @@ draw:   movdqa  xmm0, [rsi]
         movdqa  xmm3, [rsi + 48]
         add     rsi, LINES_SIZE
         mov     [rsp + F_NEXT_LINES], rsi
-        segments "dword ptr [rsp + F_LEFT]", rdi, rax, rcx, r9
+        segments "dword ptr [rsp + F_LEFT]"
         mov     ebx, [rdi + S_COUNT]
         mov     ebp, [rax + S_COUNT]
         mov     r11d, [rcx + S_COUNT]
@@ -255,17 +265,13 @@ draw:   movdqa  xmm0, [rsi]
 
 /* Four whole segments. Each pixel's fetch waits for nothing but the one addition before it, so the
  * processor runs ahead into the next four segments' divide. */
-1:
-        .irp    pixel, 0, 4, 8, 12
+        .irp    pixel, 0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60
         fetch
-        mov     [r12 + rsi + \pixel], ecx
-        mov     [r13 + rsi + \pixel], eax
-        mov     [r14 + rsi + \pixel], r10d
-        mov     [r15 + rsi + \pixel], r9d
+        mov     [r12 + \pixel], ecx
+        mov     [r13 + \pixel], eax
+        mov     [r14 + \pixel], r10d
+        mov     [r15 + \pixel], r9d
         .endr
-        add     esi, 16
-        cmp     esi, 64
-        jne     1b
 
 next:   mov     rsi, [rsp + F_NEXT_LINES]
         sub     dword ptr [rsp + F_LEFT], 4

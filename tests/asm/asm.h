@@ -55,10 +55,9 @@ bool guarded_call(void (*call)(void *context), void *context, const void **addre
 void texture_fill(const struct image *texture, uint32_t key);
 
 /* Stage 4's segment: `count` pixels from where 1/z, u/z and v/z are `at`, to `length` pixels on. The
- * structures are stage 4's, and stage 5's, which are the same. */
-struct texels;
+ * gradients are stage 4's, and stage 5's, which are the same. */
 struct gradients;
 void asm_twin_segment(uint32_t *pixels, int count, const double at[3], int length,
-                      const struct texels *texels, const struct gradients *g);
+                      const struct image *texture, const struct gradients *g);
 
 #endif

@@ -26,10 +26,9 @@
 struct job {
     struct segment *room, *segments; /* room for a whole queue; the last ends at a guard page */
     int count;
-    struct texels *texels;
     struct gradients *g;
     struct image own, twin, texture;
-    struct guarded memory[6];
+    struct guarded memory[5];
     char changed[ASM_NAME]; /* what call_checked() found */
 };
 
@@ -42,15 +41,13 @@ static void job_create(struct job *job, struct random *random, int number, bool 
     job->own = guarded_image(&job->memory[1], WIDTH, QUEUE_LENGTH, stride, at_end);
     job->twin = guarded_image(&job->memory[2], WIDTH, QUEUE_LENGTH, stride, at_end);
     job->room = guarded_block(&job->memory[3], QUEUE_LENGTH * sizeof *job->room, true);
-    job->texels = guarded_block(&job->memory[4], sizeof *job->texels, true);
-    job->g = guarded_block(&job->memory[5], sizeof *job->g, true);
+    job->g = guarded_block(&job->memory[4], sizeof *job->g, true);
     texture_fill(&job->texture, random_bits(random));
-    *job->texels = texels_setup(&job->texture);
 }
 
 static void job_destroy(struct job *job)
 {
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 5; i++) {
         guarded_destroy(&job->memory[i]);
     }
 }
@@ -121,7 +118,7 @@ static void call(void *context)
     struct job *job = context;
     const uint64_t arguments[CALL_ARGUMENTS] = {
         (uintptr_t)job->segments, (unsigned)job->count | 0xABCDEF0000000000u,
-        (uintptr_t)job->texels, (uintptr_t)job->g};
+        (uintptr_t)&job->texture, (uintptr_t)job->g};
 
     call_checked((void (*)(void))stage5_draw_segments, arguments, job->changed,
                  sizeof job->changed);
@@ -168,7 +165,7 @@ static bool same(struct job *job, char text[ASM_TEXT])
         const struct segment *s = &job->segments[i];
         const double at[3] = {s->at.one_over_z, s->at.u_over_z, s->at.v_over_z};
         asm_twin_segment(twin->pixels + (s->pixels - own->pixels), s->count, at, (int)s->length,
-                         job->texels, job->g);
+                         &job->texture, job->g);
     }
     if (!inside(job, text)) {
         return false;

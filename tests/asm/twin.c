@@ -6,12 +6,11 @@
 #include "stage4_subdivide/rasterize.c"
 
 void asm_twin_segment(uint32_t *pixels, int count, const double at[3], int length,
-                      const struct texels *texels, const struct gradients *g)
+                      const struct image *texture, const struct gradients *g)
 {
     const struct interpolants first = {at[0], at[1], at[2]};
     const struct texel start = texel_at(g, first);
     const struct texel end = texel_at(g, add(first, scale(length, g->dx)));
 
-    draw_segment(pixels, count, texels, line_setup(start.u, end.u, length),
-                 line_setup(start.v, end.v, length));
+    draw_segment(pixels, count, texture, start, end, length);
 }
