@@ -126,7 +126,6 @@ static bool take_line(struct stability_case *row, const char *line,
                       const struct stability_stages *chosen)
 {
     const char *value = value_of(line, "why: ");
-    struct size size;
 
     if (value || row->why[0]) {
         return text_add(row->why, sizeof row->why, value ? value : line);
@@ -137,11 +136,7 @@ static bool take_line(struct stability_case *row, const char *line,
     if (row->measure) {
         return take_expectation(row, line, chosen);
     }
-    if (sscanf(line, "size %dx%d", &size.width, &size.height) == 2) {
-        row->source.size = size;
-        return true;
-    }
-    return text_add(row->sentence, sizeof row->sentence, line);
+    return value_of(line, "size ") || text_add(row->sentence, sizeof row->sentence, line);
 }
 
 static bool head_read(struct stability_case *row, FILE *file,
@@ -161,8 +156,8 @@ static bool head_read(struct stability_case *row, FILE *file,
             return error_set(error, "%s: says nothing of %s", row->path, chosen->items[i]->name);
         }
     }
-    return (row->sentence[0] && row->why[0] && row->source.size.width > 0) ||
-           error_set(error, "%s: size, sentence or why is missing", row->path);
+    return (row->sentence[0] && row->why[0]) ||
+           error_set(error, "%s: does not say what happens, or why", row->path);
 }
 
 bool stability_open(struct stability_case *row, const char *path,
@@ -178,9 +173,12 @@ bool stability_open(struct stability_case *row, const char *path,
     snprintf(row->path, sizeof row->path, "%s", path);
     snprintf(row->name, sizeof row->name, "%.*s", (int)strcspn(base, "."), base);
     row->source.name = row->path;
+    struct size *size = &row->source.size;
     bool opened = head_read(row, file, chosen, error);
     fclose(file);
-    opened = opened && tri_read(path, &row->source.given, error) &&
+    opened = opened &&
+             tri_read_sized(path, &row->source.given, &size->width, &size->height, error) &&
+             (size->width > 0 || error_set(error, "%s: does not say its size", path)) &&
              source_clip(&row->source, 0, 0, error);
     if (!opened) {
         stability_close(row);
