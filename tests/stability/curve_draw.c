@@ -7,12 +7,11 @@
 #define WIDTH 760.0 /* pixels */
 #define HEIGHT 385.0
 #define LEFT 60.0
-#define RIGHT 610.0
+#define RIGHT 740.0
 #define TOP 60.0
 #define BOTTOM 315.0
 #define BAND 20.0
 #define TEXT 12.0
-#define LABEL_ROOM 16.0 /* from one label to the next */
 #define MARKS_MAX 32    /* points; more of them are a line alone */
 #define ALIKE 2.0 /* pixels */
 
@@ -80,32 +79,16 @@ static void label_text(const struct panel *panel, const struct curve *curve, int
     }
 }
 
-/* Right of the lines' ends, from the lowest upward, none closer to the next than LABEL_ROOM. */
-static void draw_labels(const struct panel *panel, const struct curve *curve)
+/* Beside the end of its line. */
+static void draw_label(struct panel *panel, const struct curve *curve, int number)
 {
-    const int last = curve->points - 1;
-    bool done[CURVE_SERIES_MAX] = {false};
-    double lowest = HEIGHT;
+    const struct series *series = &curve->series[number];
+    char text[64] = "", class[16];
 
-    for (int round = 0; round < curve->count; round++) {
-        int next = -1;
-        for (int i = 0; i < curve->count; i++) {
-            if (!done[i] && (next < 0 || at(panel, curve, i, last).y > at(panel, curve, next, last).y)) {
-                next = i;
-            }
-        }
-        const struct series *series = &curve->series[next];
-        char text[64] = "", class[16];
-        done[next] = true;
-        if (first_alike(panel, curve, next) != next || (series->bound && strchr(series->name, '_'))) {
-            continue;
-        }
-        label_text(panel, curve, next, text);
-        snprintf(class, sizeof class, "s%d bold", series->style);
-        lowest = fmin(lowest - LABEL_ROOM, at(panel, curve, next, last).y);
-        svg_text(panel->out, (struct point){RIGHT + 8, lowest + TEXT / 3},
-                 &(struct text_style){TEXT, "start", class}, text);
-    }
+    label_text(panel, curve, number, text);
+    snprintf(class, sizeof class, "s%d bold", series->style);
+    panel_label(panel, at(panel, curve, number, curve->points - 1), SVG_HOLLOW_RADIUS,
+                &(struct text_style){TEXT, "middle", class}, false, text);
 }
 
 void curve_draw(FILE *file, const struct curve *curve)
@@ -132,6 +115,11 @@ void curve_draw(FILE *file, const struct curve *curve)
             draw_series(&panel, curve, i);
         }
     }
-    draw_labels(&panel, curve);
+    for (int i = 0; i < curve->count; i++) {
+        const bool one_of_many = curve->series[i].bound && strchr(curve->series[i].name, '_');
+        if (first_alike(&panel, curve, i) == i && !one_of_many) {
+            draw_label(&panel, curve, i);
+        }
+    }
     svg_end(file);
 }

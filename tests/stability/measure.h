@@ -5,7 +5,7 @@
 
 #include "tests/exact/accuracy.h"
 
-#define STABILITY_STAGES 6 /* columns at most: stages 1 to 5 and the coda */
+#define STABILITY_STAGES 8 /* columns at most; there are six: stages 1 to 5 and the coda */
 
 /* The stages that are compared, in the table's order. */
 struct stability_stages {
