@@ -99,9 +99,9 @@ void curve_draw(FILE *file, const struct curve *curve)
     snprintf(below, sizeof below, "< %g", curve->y_low);
     panel = (struct panel){
         .out = file,
-        .x = {curve->log, curve->x_low, curve->x_high, LEFT, RIGHT, 0},
-        .y = {curve->log, curve->y_low, curve->y_high, BOTTOM, TOP, curve->log ? BAND : 0},
-        .band_label = curve->log ? below : NULL};
+        .x = {curve->x_log, curve->x_low, curve->x_high, LEFT, RIGHT, 0},
+        .y = {curve->y_log, curve->y_low, curve->y_high, BOTTOM, TOP, curve->y_log ? BAND : 0},
+        .band_label = curve->y_log ? below : NULL};
     svg_begin(file, WIDTH, HEIGHT, curve->title, curve->y_name);
     svg_text(file, (struct point){LEFT, 24}, &(struct text_style){16, "start", "ink bold"},
              curve->title);

@@ -18,7 +18,7 @@ struct curve {
     const char *name;            /* of its files */
     const char *title;           /* what it says */
     const char *x_name, *y_name; /* with their units */
-    bool log;                    /* both axes */
+    bool x_log, y_log;
     double x_low, x_high, y_low, y_high; /* the axes' ends */
     bool (*measure)(struct curve *curve, struct error *error); /* fills what follows */
     int points, count; /* of x; of series */
