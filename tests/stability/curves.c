@@ -16,15 +16,17 @@ static struct series *series_add(struct curve *curve, const char *name, int styl
     return series;
 }
 
-/* One series a stage, the first `most` of them; stage 5 is drawn like stage 4. */
+/* One series a stage, the first `most` of them; one that draws the frames of the stage before it
+ * looks like that. */
 static struct stability_stages series_of_stages(struct curve *curve, int most)
 {
     struct stability_stages chosen = stability_stages();
+    int style = -1;
 
     chosen.count = most < chosen.count ? most : chosen.count;
     for (int i = 0; i < chosen.count; i++) {
-        const struct stage *stage = chosen.items[i];
-        series_add(curve, stage->name, stage->digit && i > 3 ? 3 : i > 3 ? 4 : i, false);
+        style += !chosen.items[i]->twin;
+        series_add(curve, chosen.items[i]->name, style, false);
     }
     return chosen;
 }

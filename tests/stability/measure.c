@@ -59,7 +59,7 @@ struct stability_stages stability_stages(void)
     struct stability_stages chosen = {.count = 0};
 
     for (const struct stage *stage = stages; stage->name; stage++) {
-        if ((stage->digit || strcmp(stage->name, "coda") == 0) && chosen.count < STABILITY_STAGES) {
+        if (!stage->variant && chosen.count < STABILITY_STAGES) {
             chosen.items[chosen.count++] = stage;
         }
     }

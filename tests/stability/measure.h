@@ -7,7 +7,7 @@
 
 #define STABILITY_STAGES 8 /* columns at most; there are six: stages 1 to 5 and the coda */
 
-/* The stages that are compared, in the table's order. */
+/* The stages that are compared, in the table's order: all but the variants. */
 struct stability_stages {
     const struct stage *items[STABILITY_STAGES];
     int count;

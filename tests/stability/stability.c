@@ -152,6 +152,12 @@ static bool head_read(struct stability_case *row, FILE *file,
         }
     }
     for (int i = 0; i < chosen->count; i++) {
+        const char *twin = chosen->items[i]->twin;
+        for (int k = 0; twin && k < chosen->count; k++) {
+            if (strcmp(chosen->items[k]->name, twin) == 0) {
+                row->expected[i] = row->expected[k];
+            }
+        }
         if (row->expected[i].kind == EXPECT_MISSING) {
             return error_set(error, "%s: says nothing of %s", row->path, chosen->items[i]->name);
         }

@@ -4,7 +4,8 @@
  *   # size WxH                    of the frame
  *   # What happens, and why: a sentence, on one line or more.
  *   # measure: NAME               one of the measures of tests/stability/measure.c
- *   # STAGE: EXPECTATION          a line for each stage, by its name
+ *   # STAGE: EXPECTATION          a line for each stage, by its name; one that draws the frames of
+ *                                 another is expected to show the same, and needs none
  *   # why: where the values come from, to the end of the comment
  *
  * An expectation is
