@@ -31,7 +31,8 @@ awk -F, '
         printf "\n"
         for (k = 1; k <= count; k++) {
             name = rows[k]
-            printf "| [%s](%s.tri) | %s | %s, %s |", name, name, text[name], measure[name], unit[name]
+            printf "| [%s](%s.tri) | %s | %s, %s |", name, name, text[name], measure[name],
+                unit[name]
             for (i = 1; i <= stage_count; i++) printf " %s |", cell[name, stages[i]]
             printf "\n"
         }

@@ -72,7 +72,8 @@ static bool measure_drift(struct curve *curve, struct error *error)
 
     for (int x = 255; done && x < FRAME_SIDE_MAX; x += 256) {
         const struct vertex v[3] = {
-            {0, 0, 1, 512, 0}, {(float)x, 0, 1, (float)(512 + x * DRIFT_STEP), 0}, {0, 8, 1, 512, 8}};
+            {0, 0, 1, 512, 0}, {(float)x, 0, 1, (float)(512 + x * DRIFT_STEP), 0},
+            {0, 8, 1, 512, 8}};
         bound->y[curve->points] = x * DRIFT_UNIT / 2;
         done = measure_point(curve, x, v, FRAME_SIDE_MAX, 16, &chosen, 0, error);
     }
@@ -103,9 +104,9 @@ static bool measure_slivers(struct curve *curve, struct error *error)
  *   1/z = 1/r + (1 - 1/r) x/16,   u/z = du (1 - x/16) / r */
 static struct vertex steep_vertex(double r, double du, double x, double y)
 {
-    const double z = 1 / (1 / r + (1 - 1 / r) * x / SEGMENT);
+    const double z = 1 / (1 / r + (1 - 1 / r) * x / SEGMENT), u = z * du * (1 - x / SEGMENT) / r;
 
-    return (struct vertex){(float)x, (float)y, (float)z, (float)(z * du * (1 - x / SEGMENT) / r), 0};
+    return (struct vertex){(float)x, (float)y, (float)z, (float)u, 0};
 }
 
 /* A straight line over du texels between depths in the ratio r errs by up to
@@ -162,24 +163,25 @@ static bool measure_jitter(struct curve *curve, struct error *error)
 
 static struct curve curves[] = {
     {.name = "drift", .title = "In float each addition rounds, and the errors add up",
-     .x_name = "length of the span (pixels)", .y_name = "largest position error (texels)",
-     .x_low = 0, .x_high = 5000, .y_low = 0, .y_high = .15,
+     .x_name = "length of the span (pixels)", .x_low = 0, .x_high = 5000,
+     .y_name = "largest position error (texels)", .y_low = 0, .y_high = .15,
      .measure = measure_drift},
-    {.name = "slivers", .title = "The thinner the triangle, the more a rounded vertex moves its texture",
+    {.name = "slivers",
+     .title = "The thinner a triangle, the more a rounded vertex moves its texture",
      .x_name = "height (pixels) of a triangle 4000 pixels long and 32 texels high",
-     .y_name = "largest position error (texels)", .x_log = true, .y_log = true,
-     .x_low = .03125, .x_high = 60,
-     .y_low = .001, .y_high = 100, .measure = measure_slivers},
-    {.name = "steepness", .title = "A straight line over 16 pixels errs as its formula says, no more",
-     .x_name = "ratio of the depths at the line's ends",
+     .x_log = true, .x_low = .03125, .x_high = 60,
+     .y_name = "largest position error (texels)", .y_log = true, .y_low = .001, .y_high = 100,
+     .measure = measure_slivers},
+    {.name = "steepness",
+     .title = "A straight line over 16 pixels errs as its formula says, no more",
+     .x_name = "ratio of the depths at the line's ends", .x_low = 1, .x_high = 4.5,
      .y_name = "largest position error (texels): marks are stage 4's, lines the bound",
-     .x_low = 1, .x_high = 4.5, .y_low = 0, .y_high = 25,
-     .measure = measure_steepness},
-    {.name = "jitter", .title = "Vertices on whole pixels jump rarely and far, on sixteenths often and little",
-     .x_name = "frame, each 1/64 pixel further right",
+     .y_low = 0, .y_high = 25, .measure = measure_steepness},
+    {.name = "jitter",
+     .title = "Whole-pixel vertices jump rarely and far, sixteenths often and little",
+     .x_name = "frame, each 1/64 pixel further right", .x_low = 0, .x_high = 145,
      .y_name = "change of the position error since the frame before (texels, RMS)",
-     .x_low = 0, .x_high = 145, .y_log = true, .y_low = .005, .y_high = 1,
-     .measure = measure_jitter},
+     .y_log = true, .y_low = .005, .y_high = 1, .measure = measure_jitter},
 };
 
 #define CURVES ((int)(sizeof curves / sizeof curves[0]))

@@ -235,10 +235,13 @@ bool measure_source(const struct measure *measure, struct source *source,
     if (done && measure->kind == BY_JITTER) {
         done = jitter_measure(&meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
                               error);
-        memcpy(values, jitter, sizeof jitter - sizeof jitter[0]);
     }
-    for (int i = 0; done && measure->kind != BY_JITTER && i < chosen->count; i++) {
-        done = measure_stage(measure, &meter, source, chosen->items[i], &values[i]);
+    for (int i = 0; done && i < chosen->count; i++) {
+        if (measure->kind == BY_JITTER) {
+            values[i] = jitter[i];
+        } else {
+            done = measure_stage(measure, &meter, source, chosen->items[i], &values[i]);
+        }
     }
     meter_destroy(&meter);
     return done || error_set(error, "%s: no memory to measure it", source->name);

@@ -38,14 +38,18 @@ static void test_judge(void)
         const char *text, *verdict; /* NULL: not to be read */
         double value;
     } cases[] = {
-        {"holds", "holds", 0},         {"holds", "holds", 0.002},       {"holds", "unexpected", 0.0021},
-        {"at most 1", "holds", -1},    {"at most 1", "unexpected", -1.5}, {"18", "fails", 18},
-        {"18", "unexpected", 17},      {"1 +- 50 %", "fails", 1.5},     {"1 +- 50 %", "unexpected", 1.51},
-        {"-2 +- .5", "fails", -1.5},   {"-2 +- .5", "unexpected", 2},   {"1 +- 50 %", "unexpected", NAN},
-        {"holds", "unexpected", NAN},  {"draws nothing", "draws nothing", NAN},
-        {"draws nothing", "unexpected", 0}, {"", NULL, 0}, {"hold", NULL, 0}, {"at most", NULL, 0},
-        {"at most 0", NULL, 0}, {"1 +-", NULL, 0}, {"1 +- 2 % more", NULL, 0}, {"1 2", NULL, 0},
-        {"1 +- 51 %", NULL, 0},  {"1 +- -1", NULL, 0}, {"0 +- 0", NULL, 0}, {"0.001", NULL, 0},
+        {"holds", "holds", 0.002},          {"holds", "unexpected", 0.0021},
+        {"holds", "unexpected", NAN},       {"at most 1", "holds", -1},
+        {"at most 1", "unexpected", -1.5},  {"18", "fails", 18},
+        {"18", "unexpected", 17},           {"1 +- 50 %", "fails", 1.5},
+        {"1 +- 50 %", "unexpected", 1.51},  {"1 +- 50 %", "unexpected", NAN},
+        {"-2 +- .5", "fails", -1.5},        {"-2 +- .5", "unexpected", 2},
+        {"draws nothing", "unexpected", 0}, {"draws nothing", "draws nothing", NAN},
+        {"", NULL, 0},                      {"hold", NULL, 0},
+        {"at most", NULL, 0},               {"at most 0", NULL, 0},
+        {"1 +-", NULL, 0},                  {"1 +- 2 % more", NULL, 0},
+        {"1 +- 51 %", NULL, 0},             {"1 +- -1", NULL, 0},
+        {"0 +- 0", NULL, 0},                {"0.001", NULL, 0},
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -61,7 +65,8 @@ static void test_judge(void)
 /* A file that says nothing of a stage, of its size, or something that cannot be read. */
 static void test_bad_cases(const struct stability_stages *chosen)
 {
-    static const char *const heads[] = {"", "# size 8x8\n# Why.\n", "# size 8x8\n# measure: beauty\n",
+    static const char *const heads[] = {"", "# size 8x8\n# Why.\n",
+                                        "# size 8x8\n# Why.\n# measure: beauty\n",
                                         "# size 8x8\n# Why.\n# measure: coverage\n# coda: well\n"};
     const char *path = test_path("bad.tri");
 
