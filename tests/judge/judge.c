@@ -9,7 +9,8 @@
 
 #define POISON 0x00DEAD00u /* no texel, as its alpha is not 255, and no background */
 #define PAD 4              /* pixels beside each row; a row above and below besides */
-#define LARGE (1 << 20) /* pixels of a frame that takes long to judge */
+#define LARGE (1 << 20) /* pixels of a frame that takes long to judge: */
+#define LARGE_ROWS 8    /* texels only in one of so many rows, and no variants of stages */
 #define MARGIN 2           /* pixels around a triangle's box in which its frame is looked at */
 #define ALPHA 0xFF000000u
 #define TEXELS_MAX ((size_t)TEXTURE_SIDE_MAX * TEXTURE_SIDE_MAX)
@@ -27,8 +28,9 @@ void judge_destroy(struct judge *judge)
     free(judge->all);
     free(judge->row);
     free(judge->hits);
-    free(judge->pixels[0]);
-    free(judge->pixels[1]);
+    for (int i = 0; i < 3; i++) {
+        free(judge->pixels[i]);
+    }
     *judge = (struct judge){.capacity = 0};
 }
 
@@ -40,36 +42,44 @@ struct image judge_texture(struct judge *judge, int width, int height)
     return (struct image){width, height, width, judge->texels};
 }
 
+/* Room for frames of `count` pixels. */
+static bool make_room(struct judge *judge, size_t count)
+{
+    bool memory = true;
+
+    judge->capacity = 0;
+    free(judge->hits);
+    judge->hits = malloc(count);
+    for (int i = 0; i < 3; i++) {
+        free(judge->pixels[i]);
+        judge->pixels[i] = malloc(count * sizeof(uint32_t));
+        memory = memory && judge->pixels[i];
+    }
+    judge->capacity = memory && judge->hits ? count : 0;
+    return judge->capacity > 0;
+}
+
 bool judge_open(struct judge *judge, int width, int height)
 {
     const int stride = width + 2 * PAD;
     const size_t count = (size_t)stride * (size_t)(height + 2);
+    const bool other_size = judge->frames[0].width != width || judge->frames[0].height != height;
 
     judge->drawn = judge->wrong = 0;
     judge->worst = 0;
-    if (count > judge->capacity) {
-        free(judge->hits);
-        judge->hits = malloc(count);
-        for (int i = 0; i < 2; i++) {
-            free(judge->pixels[i]);
-            judge->pixels[i] = malloc(count * sizeof(uint32_t));
-        }
-        const bool memory = judge->hits && judge->pixels[0] && judge->pixels[1];
-        judge->capacity = memory ? count : 0;
-        if (!memory) {
-            return false;
-        }
-    }
     judge->count = count;
+    if (count > judge->capacity && !make_room(judge, count)) {
+        return false;
+    }
     memset(judge->hits, 0, count);
-    for (size_t i = 0; i < count; i++) {
-        judge->pixels[0][i] = POISON;
+    for (size_t i = 0; other_size && i < count; i++) {
+        judge->pixels[2][i] = POISON;
     }
-    for (int y = 1; y <= height; y++) {
-        memset(judge->pixels[0] + y * stride + PAD, 0, (size_t)width * sizeof(uint32_t));
+    for (int y = 1; other_size && y <= height; y++) {
+        memset(judge->pixels[2] + y * stride + PAD, 0, (size_t)width * sizeof(uint32_t));
     }
-    memcpy(judge->pixels[1], judge->pixels[0], count * sizeof(uint32_t));
     for (int i = 0; i < 2; i++) {
+        memcpy(judge->pixels[i], judge->pixels[2], count * sizeof(uint32_t));
         judge->frames[i] =
             (struct image){width, height, stride, judge->pixels[i] + stride + PAD};
     }
@@ -88,19 +98,16 @@ static bool broken(char text[JUDGE_TEXT], const char *format, ...)
 
 bool judge_clean(const struct judge *judge, char text[JUDGE_TEXT])
 {
-    const struct image *frame = &judge->frames[0];
+    const int stride = judge->frames[0].stride;
+    int i = 0;
 
     for (int k = 0; k < 2; k++) {
-        const uint32_t *pixel = judge->pixels[k];
-        for (int y = -1; y <= frame->height; y++) {
-            const bool row = y >= 0 && y < frame->height;
-            for (int x = -PAD; x < frame->width + PAD; x++, pixel++) {
-                const bool inside = row && x >= 0 && x < frame->width;
-                if (*pixel != (inside ? 0 : POISON)) {
-                    return broken(text, "pixel %d,%d: drawn %s", x, y,
-                                  inside ? "far from the triangle" : "outside the frame");
-                }
+        if (memcmp(judge->pixels[k], judge->pixels[2], judge->count * sizeof(uint32_t)) != 0) {
+            while (judge->pixels[k][i] == judge->pixels[2][i]) {
+                i++;
             }
+            return broken(text, "pixel %d,%d: drawn %s", i % stride - PAD, i / stride - 1,
+                          judge->pixels[2][i] ? "outside the frame" : "far from the triangle");
         }
     }
     return true;
@@ -358,6 +365,7 @@ static bool judge_row(struct judge *judge, const struct trial *t, int y, char te
 {
     const struct image *frame = &judge->frames[0];
     const uint32_t *row = &frame->pixels[(ptrdiff_t)y * frame->stride];
+    const bool texels = frame->width * frame->height <= LARGE || y % LARGE_ROWS == 0;
     struct segment s = {.from = -1, .to = -1};
     int first = 0, end = 0;
 
@@ -366,7 +374,7 @@ static bool judge_row(struct judge *judge, const struct trial *t, int y, char te
     }
     const int length = t->stage->segment_length ? t->stage->segment_length : end - first;
     int start = first; /* of the next segment */
-    for (int x = first; x < end; x++) {
+    for (int x = first; x < end && texels; x++) {
         judge->row[x] = exact_at(&t->exact, x, y);
     }
     for (int x = t->left; x < t->right; x++) {
@@ -375,11 +383,11 @@ static bool judge_row(struct judge *judge, const struct trial *t, int y, char te
             return broken(text, "pixel %d,%d: %s", x, y,
                           inside ? "inside, but not drawn" : "outside, but drawn");
         }
-        if (x == start && inside) {
+        if (x == start && inside && texels) {
             s = segment_at(judge, t, first, end, x);
             start += length;
         }
-        if (inside && drawn && !judge_texel(judge, t, &s, row[x], first, end, x, y, text)) {
+        if (inside && drawn && texels && !judge_texel(judge, t, &s, row[x], first, end, x, y, text)) {
             return false;
         }
         judge->drawn += drawn;
@@ -493,7 +501,7 @@ bool judge_case(struct judge *judge, const struct stage *stage, const struct jud
 
 bool judge_stages(struct judge *judge, const struct judge_case *one, char text[JUDGE_TEXT])
 {
-    const bool large = one->width * one->height > LARGE; /* then a stage's variants are left out */
+    const bool large = one->width * one->height > LARGE;
 
     for (const struct stage *stage = stages; stage->name; stage++) {
         if (!(large && stage->variant) && !judge_case(judge, stage, one, text)) {

@@ -22,7 +22,7 @@
 
 struct judge {
     struct image frames[2];  /* the stage's, and another to compare with; all 0 between two calls */
-    uint32_t *pixels[2];     /* those, with poison around */
+    uint32_t *pixels[3];     /* those, with poison around; and how they should be left */
     size_t capacity, count;  /* pixels in each: there is room for, and in use */
     uint32_t *all, *texels;  /* texel n holds n: any texture's size fits; 0 around them */
     uint32_t filled;         /* texels so far */
