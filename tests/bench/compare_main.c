@@ -46,7 +46,7 @@ static int choose(struct stage stages[2 * PAIRS_MAX], const char *name)
         stages[count] = stages[count + 1] = *stage;
         stages[count].draw = pairs[i].old;
         stages[count + 1].draw = pairs[i].new;
-        stages[count].digit = stages[count + 1].digit = NULL; /* neither is held to stage 4 */
+        stages[count].twin = stages[count + 1].twin = NULL; /* neither is held to another */
         count += 2;
     }
     return count;

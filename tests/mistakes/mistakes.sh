@@ -7,6 +7,8 @@
 # The first line of a mistake is `# FILE: GROUP: the test that must fail`. What does not begin with #
 # is a sed command on one line; a command that changes nothing is an error. Of a stage the group is
 # run with TEXMAP_STAGE, for that stage alone.
+# Where that test is `nothing is undefined`, the file is built with checks of casts and divisions that
+# end the program, which must happen; and must not without the mistake.
 # TEXMAP_BUILD is where the program and the libraries are; `flags` there says how to compile.
 
 build=${TEXMAP_BUILD:-build}
@@ -37,6 +39,42 @@ edit() {
     done < "$1"
 }
 
+# Builds the program $1 with the file $2 in place of the library's, and the flags that follow.
+link_with() {
+    program=$1
+    file=$2
+    shift 2
+    $compile -w "$@" -c -o "$program.o" "$file" &&
+        $compile -o "$program" "$program.o" "$build"/tests/unit/test_main.o "$build"/tests.a \
+            "$build"/texmap.a -lm
+}
+
+# Does the program $1 end without a word in the group? With a check that fails it stops there.
+traps() {
+    (TEXMAP_STAGE=$stage "$1" "$group" > "$1.output" 2>&1) 2> "$1.signal"
+    [ $? -gt 128 ]
+}
+
+# The same with checks of what C leaves undefined: gcc and clang name the flag differently.
+undefined() {
+    checks=-fsanitize=float-cast-overflow,float-divide-by-zero
+    for trap in -fsanitize-trap=float-cast-overflow,float-divide-by-zero \
+        -fsanitize-undefined-trap-on-error; do
+        link_with "$folder/$name/mistake" "$edited" $checks $trap 2> "$folder/$name/log" &&
+            link_with "$folder/$name/control" "$source" $checks $trap &&
+            break
+    done
+    if traps "$folder/$name/control"; then
+        echo "FAIL $name: $source is undefined without the mistake"
+        return 1
+    elif traps "$folder/$name/mistake"; then
+        echo "ok $name is caught by: $test"
+    else
+        echo "FAIL $name: not caught by: $test"
+        return 1
+    fi
+}
+
 # Does the test named in the mistake $1 catch it? It is for the file `source`.
 try() {
     group=$(sed -n '1s/^# [^:]*: \([^:]*\): .*/\1/p' "$1")
@@ -44,8 +82,11 @@ try() {
     mkdir -p "$folder/$name"
     edited=$folder/$name/$(basename "$source")
     edit "$1" "$source" "$edited" || return 1
-    if ! $compile -w -o "$folder/$name/test" "$edited" "$build"/tests/unit/test_main.o \
-        "$build"/tests.a "$build"/texmap.a -lm; then
+    if [ "$test" = 'nothing is undefined' ]; then
+        undefined
+        return
+    fi
+    if ! link_with "$folder/$name/test" "$edited"; then
         echo "FAIL $name: does not compile"
         return 1
     fi
