@@ -41,6 +41,12 @@ static inline void sort_two(const struct vertex **first, const struct vertex **s
 /* floor(c + 1/2): c >= -1/2, so the cast truncates a number that is not negative. */
 static inline int round_to_pixel(real c) { return (int)(c + (real)0.5); }
 
+/* floor(numerator / denominator), denominator > 0: C's division truncates toward zero instead. */
+static inline int floor_div(int numerator, int denominator)
+{
+    return numerator / denominator - (numerator % denominator < 0);
+}
+
 /* A vertex in this stage's numbers. */
 struct corner {
     int x, y; /* pixels */
@@ -60,7 +66,7 @@ static inline struct corner corner_setup(const struct vertex *v)
 struct gradients {
     double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
-    real one_over_z_min;        /* at a vertex */
+    float one_over_z_min;       /* at a vertex */
 };
 
 /* For f linear on the screen, f0 f1 f2 at the corners:
@@ -68,7 +74,9 @@ struct gradients {
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
  * In a sliver the numerators are differences of nearly equal products, and float leaves nothing of
- * them: its gradients are 0. So float errs by less than 2^18 in u/z, which itself is up to 2^18.
+ * them: its gradients are 0. In all others |df/dx| (|x1| + |x2| + 64) < 2^33 for |f| <= 2^18, with
+ * x1 for x1 - x0. So roundings, 2^-24 each, carry u/z less than 2^14 too far, and edges that float
+ * leaves up to 2^-10 pixel beside their place less than 2^17: |u/z| < 1.6 2^18.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
@@ -83,18 +91,11 @@ static inline bool gradients_setup(struct gradients *g, const struct corner c[3]
     const struct interpolants f2 = add(c[2].at, scale(-1, c[0].at));
     g->dx = scale(one_over_area, add(scale(y2, f1), scale(-y1, f2)));
     g->dy = scale(one_over_area, add(scale(x1, f2), scale(-x2, f1)));
-    g->one_over_z_min = -max(-c[0].at.one_over_z, max(-c[1].at.one_over_z, -c[2].at.one_over_z));
     TRACE_GRADIENTS(g);
     return true;
 }
 
-/* floor(numerator / denominator), denominator > 0: C's division truncates toward zero instead. */
-static inline int floor_div(int numerator, int denominator)
-{
-    return numerator / denominator - (numerator % denominator < 0);
-}
-
-/* An edge on a scanline. Only the left one carries the interpolants along. */
+/* An edge on a scanline. It carries the interpolants: a span begins with the left one's. */
 struct edge {
     int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
@@ -142,8 +143,7 @@ static inline void draw_span(struct image *frame, const struct image *texture,
     TRACE_SPAN(y, left, right, at, g->dx);
 
     for (int x = left->x; x < right->x; x++) {
-        /* Rounding can carry a sliver's 1/z to 0. Not below its least, u and v fit an int:
-         * |u/z| < 2^19 and z <= 2^12. */
+        /* Rounding can carry 1/z to 0. Not below its least, z <= 2^12: u and v fit an int. */
         const real z = 1 / max(at.one_over_z, g->one_over_z_min);
         const int u = (int)(at.u_over_z * z) & u_mask;
         const int v = (int)(at.v_over_z * z) & v_mask;
@@ -167,6 +167,7 @@ void stage2_draw_triangle(struct image *frame, const struct image *texture,
     struct gradients g;
     if (!gradients_setup(&g, c))
         return;
+    g.one_over_z_min = 1 / max(v[0].z, max(v[1].z, v[2].z));
 
     /* The long edge is walked once, beside one short edge, then the other. */
     struct edge left, right;

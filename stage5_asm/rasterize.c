@@ -68,7 +68,7 @@ static inline struct corner corner_setup(const struct vertex *v)
 }
 
 struct range { float low, high; }; /* of u or v */
-#define TEXEL_MARGIN 0x1p-7f /* more than rounding adds below; may bend a segment by as much */
+#define TEXEL_MARGIN 0x1p-7f /* more than rounding adds below; bends a segment by as much */
 
 /* Where u stays so that only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) show, min and
  * max being those of the vertices: from lo - 1/2 to hi + 1/2. A u that is constant, on the border
@@ -87,7 +87,7 @@ static inline struct range range_setup(float a, float b, float c, int size)
 struct gradients {
     double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
-    float one_over_z_min; /* at a vertex */
+    float one_over_z_min;       /* at a vertex */
     struct range u, v;
 };
 
@@ -95,7 +95,8 @@ struct gradients {
  *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
- * With x and y in sixteenths of a pixel both come out sixteen times too small.
+ * With x and y in sixteenths of a pixel both come out sixteen times too small. x1 y2 and the like
+ * are up to 2^32 times the area, so that 1/z errs by less than 2^-13: it is never 0 within.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
@@ -113,7 +114,7 @@ static inline bool gradients_setup(struct gradients *g, const struct corner c[3]
     return true;
 }
 
-/* An edge on a scanline. Only the left one carries the interpolants along. */
+/* An edge on a scanline. It carries the interpolants: a span begins with the left one's. */
 struct edge {
     int x, x_step; /* first pixel at or right of the crossing; floor(pixels a scanline) */
     int error, numerator, denominator; /* 0 <= error < denominator */
@@ -156,18 +157,17 @@ static inline void edge_step(struct edge *edge)
 }
 
 #define SEGMENT_LENGTH 16 /* pixels from one divide to the next */
+#define QUEUE_LENGTH 16   /* segments */
 
-/* What span.S needs to draw `count` pixels, on the line from where the interpolants are `at` to where
- * they are `length` pixels on. */
+/* `count` pixels, on the line from where the interpolants are `at` to `length` pixels on. */
 struct segment {
     struct interpolants at;
-    double length;
+    double length; /* span.S multiplies by it */
     uint32_t *pixels;
     int count;
 };
 
-#define QUEUE_LENGTH 16
-/* Segments wait here, because span.S draws four side by side. */
+/* Segments wait here: span.S draws four side by side. */
 struct queue {
     struct segment segments[QUEUE_LENGTH], *next;
 };
@@ -198,8 +198,8 @@ static inline void draw_segment(uint32_t *pixels, int count, const struct image 
         draw_queue(queue, texture, g);
 }
 
-/* Where a segment ends that begins `last` pixels before the span's last: not beyond that, as 1/z may
- * reach 0 there. But one of a single pixel ends at the next, to know in which direction it goes. */
+/* How many pixels on a segment ends that begins `last` before the span's last pixel. Never beyond
+ * that one, where 1/z may reach 0, unless it is a single pixel: to know which way u and v go. */
 static inline int segment_length(int last)
 {
     return last >= SEGMENT_LENGTH ? SEGMENT_LENGTH : last > 0 ? last : 1;

@@ -194,7 +194,7 @@ stage5_draw_segments:
         mov     ebx, esi
         lea     rdx, [rsp + F_LINES]
 
-/* The addresses of the next four segments, or fewer: then the last stands in the other lanes too. */
+/* The addresses of the next four segments, or fewer: then the last is in the other lanes too. */
         .macro  segments left
         lea     rax, [rdi + S_SIZE]
         cmp     \left, 2

@@ -154,7 +154,8 @@ void test_asm_object(void)
         check(stack_not_executable(&object), "the stack need not be executable", "%s", path);
         check(keeps_to_control_flow(&object), "control-flow enforcement may be on", "%s", path);
     }
-    check(begins_with_endbr64(stage5_draw_segments), "an indirect call may land on stage5_draw_segments",
+    check(begins_with_endbr64(stage5_draw_segments),
+          "an indirect call may land on stage5_draw_segments",
           "it does not begin with endbr64");
     test_readers(&object);
     globfree(&found);

@@ -169,7 +169,8 @@ bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int
     }
     const struct vertex *v = trace->clipped[i];
     const struct exact_point point = exact_at(&piece, x, y);
-    const int right = (int)trace->exact_frame.pixels[at] - 1, got = (int)trace->frame.pixels[at] - 1;
+    const int right = (int)trace->exact_frame.pixels[at] - 1;
+    const int got = (int)trace->frame.pixels[at] - 1;
     *exact = (struct trace_exact){point.z, point.u, point.v, right % width, right / width, false};
     exact->right = is_right(point.u, v[0].u, v[1].u, v[2].u, width, got % width, right % width) &&
                    is_right(point.v, v[0].v, v[1].v, v[2].v, trace->texture.height, got / width,

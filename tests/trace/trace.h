@@ -44,7 +44,7 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
                     const struct image *texture, int width, int height, struct trace *trace);
 
 /* Leaves only row y to be written. False, and nothing changed, where the stage did not walk it; the
- * first and the last that it did are in *first and *last, with *first > *last where it walked none. */
+ * first and the last that it did are in *first and *last; *first > *last where there is none. */
 bool trace_keep_row(struct trace *trace, int y, int *first, int *last);
 
 /* A pixel event's column, and texel. */

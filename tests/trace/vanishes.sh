@@ -16,7 +16,8 @@ for source in stage[1-4]_*/rasterize.c; do
     name="its trace lines leave nothing in a normal build of $source"
     lines=$(grep -c '^ *TRACE_[A-Z_]*(.*);$' "$source")
     as_it_is=$(assemble < "$source")
-    without=$(sed 's/^ *TRACE_[A-Z_]*(.*);$//; s/^#include "common\/trace.h"$//' "$source" | assemble)
+    without=$(sed 's/^ *TRACE_[A-Z_]*(.*);$//; s/^#include "common\/trace.h"$//' "$source" |
+        assemble)
     hooked=$(assemble -DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE="$(
         expr "$source" : 'stage\(.\)')" < "$source")
     if [ "$lines" -lt 2 ] || [ "$as_it_is" != "$without" ] || [ "$as_it_is" = "$hooked" ]; then

@@ -148,7 +148,8 @@ static void json_event(FILE *file, const struct trace *trace, const struct trace
     each_name(event->kind, json_named, &w);
 }
 
-static void json_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel, int y)
+static void json_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel,
+                       int y)
 {
     double values[EXACT_VALUES];
     const char *names = EXACT_NAMES;

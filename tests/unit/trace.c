@@ -73,7 +73,8 @@ static int pixel_wrong(const struct trace *trace, const struct trace_event *pixe
                        const struct image *frame, const struct image *exact_frame)
 {
     const int x = trace_x(trace, pixel);
-    const int texel = (int)value(trace, pixel, "texel_u") << 8 | (int)value(trace, pixel, "texel_v");
+    const int texel_u = (int)value(trace, pixel, "texel_u");
+    const int texel = texel_u << 8 | (int)value(trace, pixel, "texel_v");
     struct trace_exact exact;
 
     if (!trace_exact(trace, pixel, y, &exact)) {
@@ -133,7 +134,7 @@ static double u_at(const struct trace *trace, const struct trace_event *span, do
 }
 
 /* Does the segment that begins at pixel p of a span of n end where it must, with the true u at both
- * ends? That is min(p + 16, n - 1); one of a single pixel ends a pixel further, for its direction. */
+ * ends? That is min(p + 16, n - 1); a single pixel ends at the next, to have a direction. */
 static bool segment_right(const struct trace *trace, const struct trace_event *span,
                           const struct trace_event *segment, int p, int n)
 {
