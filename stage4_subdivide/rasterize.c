@@ -180,8 +180,8 @@ static inline struct texel texel_at(const struct gradients *g, struct interpolan
     return (struct texel){clamp(u_over_z * z, g->u), clamp(v_over_z * z, g->v)};
 }
 
-/* A coordinate on its way from start to end, `length` pixels on. Its step is rounded to the nearest,
- * and |end - start| <= 2^15: it fits 64 bits, and the low 32 are right modulo 2^16 texels. */
+/* A coordinate on its way from start to end, `length` pixels on. Its step is rounded to the
+ * nearest. |end - start| <= 2^15: it fits 64 bits, and the low 32 are right modulo 2^16 texels. */
 static inline struct line line_setup(float start, float end, int length)
 {
     const bool rises = end >= start;
