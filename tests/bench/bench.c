@@ -142,7 +142,8 @@ bool bench_judge(struct bench *bench, double deadline, struct error *error)
     struct meter meter = {0};
     struct judge judge = {.count = 0};
     bool measured = meter_create(&meter, bench->size.width, bench->size.height) &&
-                    judge_create(&judge);
+                    judge_create(&judge) &&
+                    judge_open(&judge, bench->size.width, bench->size.height);
 
     double now = bench_clock(), longest = 0; /* that a scene took */
     for (int i = 0; measured && i < bench->source_count && now + longest < deadline; i++) {

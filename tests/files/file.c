@@ -67,7 +67,7 @@ static bool follow_links(const char *path, char target[PATH_MAX])
     return true;
 }
 
-/* Opens the temporary file, with the permissions that the target has (`status`; NULL: a new one). */
+/* Opens the temporary file, with the permissions of the target (`status`; NULL: a new one). */
 static FILE *create_beside(const char *path, const struct stat *status)
 {
     const mode_t mask = umask(0);

@@ -112,7 +112,7 @@ static const struct rule rules[] = {
      parse_text, 0, 0},
     {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
      FIELD(max_pixels), parse_int, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX},
-    {OPTION_CSV, "--csv", "FILE", "where to write the numbers as CSV", FIELD(csv), parse_text, 0, 0},
+    {OPTION_CSV, "--csv", "FILE", "where to write it as CSV", FIELD(csv), parse_text, 0, 0},
     {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
      FIELD(seconds), parse_int, 1, SECONDS_MAX},
     {OPTION_TRIANGLE, "--triangle", "K", "which, counted from 0 in drawing order (default 0)",

@@ -17,8 +17,8 @@ struct source {
 };
 
 /* Loads what the options --scene, --frame, --triangles, --size and --texture name, and clips it
- * unshifted. Where nothing is visible one line on standard error says so: a frame may stay empty. On
- * failure nothing is left to close. */
+ * unshifted. Where nothing is visible one line on standard error says so: a frame may stay empty.
+ * On failure nothing is left to close. */
 bool source_open(struct source *source, const struct options *options, struct error *error);
 
 /* Makes source->triangles anew, everything moved right and down by so many pixels first. */

@@ -342,7 +342,9 @@ static void print_event(FILE *file, const struct trace *trace, const char *recor
 /* Digits behind the point, by the name's end: a texel and 16.16 are whole numbers. */
 static int decimals(const char *name, size_t length)
 {
-    return strncmp(name, "texel", 5) == 0 || strncmp(name + length - 2, "16", 2) == 0 ? 0
+    const bool whole = length > 2 && strncmp(name + length - 2, "16", 2) == 0;
+
+    return whole || strncmp(name, "texel", 5) == 0 ? 0
            : length > 6 ? 6 : 4;
 }
 

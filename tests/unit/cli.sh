@@ -51,7 +51,8 @@ for word in help --help -h; do
     test_that "render --help: its options" says 'render --help' '--texture'
 done
 test_that 'no arguments: the usage, on standard error' eval \
-    'texmap > none.txt 2> usage.txt; [ $? -eq 2 ] && grep -q "texmap render" usage.txt && [ ! -s none.txt ]'
+    'texmap > none.txt 2> usage.txt
+    [ $? -eq 2 ] && grep -q "texmap render" usage.txt && [ ! -s none.txt ]'
 test_that 'help render' lists render --stage $source_options --texture -o
 test_that 'help diff' lists diff --stages $source_options --texture -o --max-pixels
 test_that 'help accuracy' lists accuracy --stage $source_options --csv
@@ -65,7 +66,8 @@ test_that 'help report' lists report -o
 for stage in stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide $stages \
     segment_4 segment_8 segment_32 segment_64 segment_span exact; do
     for scene in room wall floor mesh; do
-        test_that "render --stage $stage --scene $scene" draws a.ppm --stage $stage --scene $scene $small
+        test_that "render --stage $stage --scene $scene" \
+            draws a.ppm --stage $stage --scene $scene $small
     done
     digit=$(expr "$stage" : 'stage\(.\)') && test_that "$stage is stage $digit" same_pictures \
         "--stage $stage --scene room $small" "--stage $digit --scene room $small"
@@ -84,9 +86,10 @@ stage5_asm*)
 esac
 test_that 'defaults, and options in any order' same_pictures '--stage 1 --scene room' \
     '--texture own --size 640x480 --frame 0 --scene room --stage stage1_float'
-test_that 'the room moves' other_pictures '--stage 1 --scene room' '--stage 1 --scene room --frame 255'
-test_that '--texture replaces the own one' other_pictures '--stage 1 --scene wall --texture checker' \
-    '--stage 1 --scene wall --texture coord'
+test_that 'the room moves' other_pictures '--stage 1 --scene room' \
+    '--stage 1 --scene room --frame 255'
+test_that '--texture replaces the own one' other_pictures \
+    '--stage 1 --scene wall --texture checker' '--stage 1 --scene wall --texture coord'
 printf 'P6 1 1 255 abc' > abc.ppm
 printf -- '-99 -99 1 0 0\n999 -99 2 9 0\n-99 999 3 0 9\n' > all.tri
 { printf 'P6\n64 48\n255\n'; yes abc | tr -d '\n' | head -c 9216; } > expected.ppm
@@ -150,8 +153,9 @@ diff_says() { # TEXT ARGUMENT...
 }
 # shifted U FILE: a square over the frame with u = x + U
 shifted() {
-    printf -- "-99 -99 1 $(expr $1 - 9900)e-2 0\n99 -99 1 $(expr $1 + 9900)e-2 0\n99 99 1 $(expr $1 + 9900)e-2 0\n" > $2
-    printf -- "-99 -99 1 $(expr $1 - 9900)e-2 0\n99 99 1 $(expr $1 + 9900)e-2 0\n-99 99 1 $(expr $1 - 9900)e-2 0\n" >> $2
+    left=$(expr $1 - 9900)e-2 right=$(expr $1 + 9900)e-2
+    printf -- "-99 -99 1 $left 0\n99 -99 1 $right 0\n99 99 1 $right 0\n" > $2
+    printf -- "-99 -99 1 $left 0\n99 99 1 $right 0\n-99 99 1 $left 0\n" >> $2
 }
 shifted 50 on.tri
 shifted 75 off.tri
@@ -200,7 +204,8 @@ printf 'P6\n2 2\n255\n12345678901' > short.ppm
 printf 'a,b\n1,2\n' > columns.csv
 mkdir folder folder.ppm
 
-refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene wall' 'help >&-' 'help > /dev/full' \
+refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene wall' 'help >&-' \
+    'help > /dev/full' \
     render scene 'render --scene wall -o out.ppm' 'render --stage 1 -o out.ppm' \
     'render --stage 1 --scene wall' 'scene -o out.tri' 'scene --scene wall' 'render --stage' \
     'render --stage --scene wall -o out.ppm' 'render --stage 1 --scene wall -o' \
@@ -210,18 +215,19 @@ refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene 
     'chart missing.csv -o out.svg' 'chart columns.csv -o out.png' 'trace --stage 5 --scene wall' \
     'diff --scene wall' 'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report' \
     'report -o good.tri/out'
-refused 'render --stage 1 --scene wall --size 8x8 -o out.ppm' --nosuch '--nosuch 1' --scene=wall -x \
-    extra '--stages 1,2' '--stage 1' '--scene wall' '--size 8x8' '-o out.png' '--frame 1 --frame 1' \
-    '--texture own --texture own' '--triangles good.tri' '--frame -1' '--frame 256' '--frame 3x' \
+refused 'render --stage 1 --scene wall --size 8x8 -o out.ppm' --nosuch '--nosuch 1' --scene=wall \
+    -x extra '--stages 1,2' '--stage 1' '--scene wall' '--size 8x8' '-o out.png' \
+    '--frame 1 --frame 1' '--texture own --texture own' '--triangles good.tri' '--frame -1' \
+    '--frame 256' '--frame 3x' \
     '--frame 1.5' "--frame ''" "--frame ' 1'" '--frame +1' '--frame 0x10' \
     '--frame 99999999999999999999' '--frame 4294967296' '--texture nosuch' "--texture ''" \
     '--texture crate' '--texture missing.ppm' '--texture folder.ppm' '--texture text.ppm' \
     '--texture odd.ppm' '--texture short.ppm'
-refused 'render --scene wall --size 8x8 -o out.ppm --stage' 0 6 -1 "''" all stage1 "'1 '" segment_5 \
-    segment_16 nosuch "\"\$(printf '1\\n2')\""
+refused 'render --scene wall --size 8x8 -o out.ppm --stage' 0 6 -1 "''" all stage1 "'1 '" \
+    segment_5 segment_16 nosuch "\"\$(printf '1\\n2')\""
 refused 'render --stage 1 --size 8x8 -o out.ppm --scene' nosuch "''" Wall all
-refused 'render --stage 1 --scene wall -o out.ppm --size' 0x5 5x0 5000x1 1x5000 4097x1 1x4097 10 10x \
-    x10 10x10x10 -5x5 5x-5 10X10 "'10 x10'" 10x+10 "''" 99999999999999999999x1 10x10y
+refused 'render --stage 1 --scene wall -o out.ppm --size' 0x5 5x0 5000x1 1x5000 4097x1 1x4097 10 \
+    10x x10 10x10x10 -5x5 5x-5 10X10 "'10 x10'" 10x+10 "''" 99999999999999999999x1 10x10y
 refused 'render --stage 1 -o out.ppm --triangles' missing.tri folder "''" four.tri two.tri nan.tri \
     flat.tri large.tri 'good.tri --frame 0'
 refused 'render --stage 1 --scene wall --size 8x8 -o' out.gif out "''" out.ppm.txt out.PNG \

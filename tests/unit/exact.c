@@ -130,7 +130,6 @@ void test_exact(void)
     }
     test_rounding();
     test_exact_judge();
-    test_exact_texels();
     test_exact_accuracy();
     test_exact_jitter();
     test_exact_diff();

@@ -4,7 +4,6 @@
 
 /* Coverage against a judge that was written for that, u and v against another formula. */
 void test_exact_judge(void);
-void test_exact_texels(void);
 
 /* accuracy against rasterizers of known errors; diff against pictures. */
 void test_exact_accuracy(void);

@@ -1,4 +1,4 @@
-/* diff as its users run it: its figures, and its picture, against what two rendered pictures show. */
+/* diff as its users run it: its figures and its picture against two rendered pictures. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -89,7 +89,8 @@ static void test_figures(void)
                       cli_run("render --stage 2 %s -o a.ppm", options) == 0 &&
                       cli_run("render --stage 3 %s -o b.ppm", options) == 0 &&
                       cli_run("diff --stages 2,3 %s -o d.ppm", options) == 0 && read_figures(&got);
-    unsigned char *a = read_picture("a.ppm"), *b = read_picture("b.ppm"), *d = read_picture("d.ppm");
+    unsigned char *a = read_picture("a.ppm"), *b = read_picture("b.ppm");
+    unsigned char *d = read_picture("d.ppm");
 
     if (check(done && a && b && d, "diff prints its line, and no more", "of stages 2 and 3")) {
         expected = count(a, b, d, &marked);

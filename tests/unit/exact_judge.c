@@ -1,21 +1,26 @@
-/* Exact coverage against a judge that looks at every pixel alone, in 128 bits. */
+/* The exact answer against other formulas, on the triangles of tests/judge/generate.h: coverage
+ * against a judge that looks at every pixel alone, in 128 bits; u, v and z against the point where
+ * the ray through the pixel cuts the triangle's plane. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include "tests/unit/check.h"
 #include "tests/exact/exact.h"
+#include "tests/judge/generate.h"
+#include "tests/unit/check.h"
 #include "tests/unit/exact.h"
 
-#define TRIANGLES 4000
-#define LARGE_TRIANGLES 400
 #define SMALL_SIDE 48 /* pixels: every one of the frame is judged */
+#define SMALL_TRIANGLES 4000
+#define LARGE_TRIANGLES 400
+#define RAY_TRIANGLES 400
+#define TOLERANCE 1e-9 /* texels; and of a depth, its share */
 #define ONE EXACT_SUBPIXEL_ONE
 
 __extension__ typedef __int128 wide;
 
 /* Which side of the line from a to b does pixel (x, y) lie on? 1, -1, or 0: a and b are one point.
  * A pixel on the line takes the side of the point a hair to its right, and if that is on the line,
- * too, a hair below: left and top edges have that point inside, right and bottom edges outside. */
+ * too, a hair below: left and top edges have that point inside, right and bottom edges outside. So
+ * no point is on a line, and a mesh has each pixel in one triangle. */
 static int side_of(const struct vertex *a, const struct vertex *b, int x, int y)
 {
     const wide ax = (int64_t)((double)a->x * ONE), ay = (int64_t)((double)a->y * ONE);
@@ -32,77 +37,69 @@ static int side_of(const struct vertex *a, const struct vertex *b, int x, int y)
     return 0;
 }
 
-static bool judge(const struct vertex v[3], int x, int y)
+static bool is_inside(const struct vertex v[3], int x, int y)
 {
     const int side = side_of(&v[0], &v[1], x, y);
 
     return side != 0 && side == side_of(&v[1], &v[2], x, y) && side == side_of(&v[2], &v[0], x, y);
 }
 
-static bool answer(const struct exact_triangle *triangle, int x, int y, int width)
+/* Columns from..to of row y, of which the exact answer covers first <= x < end. Only where one is
+ * not as expected a check is made; there are millions. */
+static bool agree(const struct vertex v[3], int y, int first, int end, int from, int to)
 {
-    int first, end;
-
-    if (!triangle || y < triangle->first_row || y >= triangle->end_row) {
-        return false;
+    for (int x = from; x <= to; x++) {
+        const bool expected = is_inside(v, x, y), got = x >= first && x < end;
+        if (expected != got) {
+            return check(false, "exact coverage is what the judge says",
+                         "pixel %d,%d of %.9g,%.9g %.9g,%.9g %.9g,%.9g: expected %d, got %d", x, y,
+                         (double)v[0].x, (double)v[0].y, (double)v[1].x, (double)v[1].y,
+                         (double)v[2].x, (double)v[2].y, expected, got);
+        }
     }
-    exact_row(triangle, y, width, &first, &end);
-    return x >= first && x < end;
+    return true;
 }
 
-/* A check that fails where they do not; millions of others are not counted one by one. */
-static bool agree(const struct exact_triangle *triangle, const struct vertex v[3], int x, int y,
-                  int width)
+/* In large frames only around the places where an edge crosses the row: a span can begin and end
+ * nowhere else. And at one place by chance. */
+static bool agree_in_row(struct random *random, const struct exact_triangle *triangle,
+                         const struct vertex v[3], int y, int side)
 {
-    const bool expected = judge(v, x, y), got = answer(triangle, x, y, width);
+    const int chance = random_int(random, 0, side - 1);
+    int first = 0, end = 0;
 
-    return expected == got ||
-           check(false, "exact coverage is what the judge says",
-                 "pixel %d,%d of %.9g,%.9g %.9g,%.9g %.9g,%.9g: expected %d, got %d", x, y,
-                 (double)v[0].x, (double)v[0].y, (double)v[1].x, (double)v[1].y, (double)v[2].x,
-                 (double)v[2].y, expected, got);
-}
-
-/* Steps of the grid between two places that a coordinate may take: 1: all; ONE: whole pixels, so
- * that edges pass through many centres. */
-static const int coarseness[] = {1, ONE / 16, ONE / 2, ONE};
-
-/* Somewhere on the frame, borders included. */
-static float random_coordinate(struct random *random, int side, int step)
-{
-    const int places = side * (ONE / step);
-    const int place = random_int(random, 0, places);
-
-    return (float)((double)place * step / ONE - 0.5 + (step == ONE ? 0.5 : 0));
-}
-
-/* Every third a sliver: its last vertex is on the line through the others, or nearly so. */
-static void random_triangle(struct random *random, int side, struct vertex v[3])
-{
-    const int step = coarseness[random_int(random, 0, 3)];
-
+    if (triangle && y >= triangle->first_row && y < triangle->end_row) {
+        exact_row(triangle, y, side, &first, &end);
+    }
+    if (side == SMALL_SIDE) {
+        return agree(v, y, first, end, 0, side - 1);
+    }
     for (int k = 0; k < 3; k++) {
-        v[k] = (struct vertex){.z = 1};
-        v[k].x = random_coordinate(random, side, step);
-        v[k].y = random_coordinate(random, side, step);
+        const struct vertex *a = &v[k], *b = &v[(k + 1) % 3];
+        const double down = (double)b->y - a->y;
+        const double x =
+            down == 0 ? a->x : a->x + (y - (double)a->y) * ((double)b->x - a->x) / down;
+        const int column = (int)fmin(fmax(x, 2), side - 4);
+        if (!agree(v, y, first, end, column - 2, column + 3)) {
+            return false;
+        }
     }
-    if (random_int(random, 0, 2) == 0) {
-        const double along = random_real(random, 0, 1);
-        v[2].x = (float)(floor((v[0].x + along * ((double)v[1].x - v[0].x)) * ONE) / ONE);
-        v[2].y = (float)(floor((v[0].y + along * ((double)v[1].y - v[0].y)) * ONE) / ONE);
-    }
+    return agree(v, y, first, end, chance, chance);
 }
 
-static bool agree_on_small(struct random *random)
+static bool agree_in_frames(struct random *random, int side, int triangles, int row_step)
 {
-    for (int i = 0; i < TRIANGLES; i++) {
+    for (int i = 0; i < triangles; i++) {
         struct vertex v[3];
         struct exact_triangle triangle;
-        random_triangle(random, SMALL_SIDE, v);
+
+        case_shape(random, v, side, side);
+        case_depths(random, v, 4);
+        case_texels(random, v, -256, 256);
         const bool area = exact_setup(&triangle, v);
-        for (int pixel = 0; pixel < SMALL_SIDE * SMALL_SIDE; pixel++) {
-            if (!agree(area ? &triangle : NULL, v, pixel % SMALL_SIDE, pixel / SMALL_SIDE,
-                       SMALL_SIDE)) {
+        for (int y = random_int(random, 0, row_step - 1); y < side;
+             y += random_int(random, 1, row_step)) {
+            if (!agree_in_row(random, area ? &triangle : NULL, v, y, side)) {
                 return false; /* one pixel shown is enough */
             }
         }
@@ -110,58 +107,117 @@ static bool agree_on_small(struct random *random)
     return true;
 }
 
-/* The columns around each place where the line from a to b crosses row y; a span can begin and end
- * nowhere else. */
-static bool agree_near_edge(const struct exact_triangle *triangle, const struct vertex v[3], int k,
-                            int y, int side)
-{
-    const struct vertex *a = &v[k], *b = &v[(k + 1) % 3];
-    const double down = (double)b->y - a->y;
-    const double x = down == 0 ? a->x : a->x + (y - (double)a->y) * ((double)b->x - a->x) / down;
-    const int column = (int)fmin(fmax(x, 0), side - 1);
+/* The camera sees pixel (x, y) along the ray t (x, y, 1); a vertex lies at z (x, y, 1). */
+struct space_vector {
+    long double x, y, z;
+};
 
-    for (int i = column - 2; i <= column + 3; i++) {
-        if (i >= 0 && i < side && !agree(triangle, v, i, y, side)) {
-            return false;
-        }
-    }
-    return true;
+static struct space_vector along_ray(double x, double y, long double depth)
+{
+    return (struct space_vector){x * depth, y * depth, depth};
 }
 
-static bool agree_in_row(struct random *random, const struct exact_triangle *triangle,
-                         const struct vertex v[3], int y, int side)
+static struct space_vector minus(struct space_vector a, struct space_vector b)
 {
-    return agree(triangle, v, random_int(random, 0, side - 1), y, side) &&
-           agree_near_edge(triangle, v, 0, y, side) && agree_near_edge(triangle, v, 1, y, side) &&
-           agree_near_edge(triangle, v, 2, y, side);
+    return (struct space_vector){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-static bool agree_on_large(struct random *random)
+static struct space_vector cross(struct space_vector a, struct space_vector b)
 {
-    for (int i = 0; i < LARGE_TRIANGLES; i++) {
-        struct vertex v[3];
-        struct exact_triangle triangle;
-        random_triangle(random, FRAME_SIDE_MAX, v);
-        if (i % 4 == 0) { /* corners of the frame, the largest edge functions there are */
-            v[0].x = v[0].y = -0.5f;
-            v[1].x = FRAME_SIDE_MAX - 0.5f;
-            v[1].y = i % 8 == 0 ? -0.5f : FRAME_SIDE_MAX - 0.5f;
-        }
-        const bool area = exact_setup(&triangle, v);
-        for (int y = random_int(random, 0, 15); y < FRAME_SIDE_MAX;
-             y += random_int(random, 1, 15)) {
-            if (!agree_in_row(random, area ? &triangle : NULL, v, y, FRAME_SIDE_MAX)) {
-                return false;
-            }
+    return (struct space_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                                 a.x * b.y - a.y * b.x};
+}
+
+static long double dot(struct space_vector a, struct space_vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* Cuts the ray with the triangle's plane, normal n, at depth n.p0 / n.(x, y, 1); the point there is
+ * p0 + a (p1 - p0) + b (p2 - p0), and u and v are mixed by a and b. */
+static struct exact_point cut_ray(const struct vertex v[3], int x, int y)
+{
+    const struct space_vector p0 = along_ray(v[0].x, v[0].y, v[0].z);
+    const struct space_vector e1 = minus(along_ray(v[1].x, v[1].y, v[1].z), p0);
+    const struct space_vector e2 = minus(along_ray(v[2].x, v[2].y, v[2].z), p0);
+    const struct space_vector n = cross(e1, e2);
+    const long double depth = dot(n, p0) / dot(n, along_ray(x, y, 1));
+    const struct space_vector p = minus(along_ray(x, y, depth), p0);
+    const long double a = dot(cross(p, e2), n) / dot(n, n);
+    const long double b = dot(cross(e1, p), n) / dot(n, n);
+
+    return (struct exact_point){
+        .u = (double)(v[0].u + a * ((long double)v[1].u - v[0].u) +
+                      b * ((long double)v[2].u - v[0].u)),
+        .v = (double)(v[0].v + a * ((long double)v[1].v - v[0].v) +
+                      b * ((long double)v[2].v - v[0].v)),
+        .z = (double)depth,
+    };
+}
+
+/* The largest difference over some pixels of the triangle, both ends of each row among them. */
+static double largest_difference(const struct vertex v[3])
+{
+    struct exact_triangle triangle;
+    double largest = 0;
+
+    exact_setup(&triangle, v);
+    for (int y = triangle.first_row; y < triangle.end_row; y += 1 + y % 7) {
+        int first, end;
+        exact_row(&triangle, y, FRAME_SIDE_MAX, &first, &end);
+        for (int x = first; x < end; x += x + 1 < end && x + 100 >= end ? end - 1 - x : 100) {
+            const struct exact_point expected = cut_ray(v, x, y), got = exact_at(&triangle, x, y);
+            largest = fmax(largest, fabs(expected.u - got.u));
+            largest = fmax(largest, fabs(expected.v - got.v));
+            largest = fmax(largest, fabs(expected.z - got.z) / expected.z);
         }
     }
-    return true;
+    return largest;
+}
+
+/* Of fair triangles: of thin ones the ray's formula loses the digits that it is asked for. */
+static void test_rays(struct random *random)
+{
+    static struct judge_case fair;
+    double largest = 0;
+
+    for (int i = 0; i < RAY_TRIANGLES; i++) {
+        case_of_kind(&fair, FAIR, random);
+        for (int k = 0; k < fair.count; k++) {
+            largest = fmax(largest, largest_difference(fair.v[k]));
+        }
+    }
+    check(largest < TOLERANCE, "u, v and z are where the ray through the pixel cuts the plane",
+          "largest difference %.3g, allowed %.3g", largest, TOLERANCE);
+}
+
+/* A coordinate that all vertices share is that one everywhere, to the last bit. */
+static void test_constant(void)
+{
+    const struct vertex v[3] = {
+        {3.25f, 1.5f, 1.7f, 0.1f, -7.3f}, {60.5f, 9, 3.1f, 0.1f, 8}, {11, 50.75f, 9.3f, 0.1f, 90}};
+    struct exact_triangle triangle;
+    int wrong = 0;
+
+    exact_setup(&triangle, v);
+    for (int y = triangle.first_row; y < triangle.end_row; y++) {
+        int first, end;
+        exact_row(&triangle, y, FRAME_SIDE_MAX, &first, &end);
+        for (int x = first; x < end; x++) {
+            wrong += exact_at(&triangle, x, y).u != (double)0.1f;
+        }
+    }
+    check(wrong == 0, "a constant u stays what it is", "%d pixels differ", wrong);
 }
 
 void test_exact_judge(void)
 {
     struct random random = random_start(0x3A);
 
-    check(agree_on_small(&random), "exact coverage, every pixel of small frames", "see above");
-    check(agree_on_large(&random), "exact coverage, large frames along all edges", "see above");
+    check(agree_in_frames(&random, SMALL_SIDE, SMALL_TRIANGLES, 1),
+          "exact coverage, every pixel of small frames", "see above");
+    check(agree_in_frames(&random, FRAME_SIDE_MAX, LARGE_TRIANGLES, 15),
+          "exact coverage, large frames along all edges", "see above");
+    test_rays(&random);
+    test_constant();
 }

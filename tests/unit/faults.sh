@@ -1,7 +1,7 @@
 #!/bin/sh
 # tests/unit/faults.sh: whatever fails, an output is there in full or not at all, what was there
-# before stays, and texmap says why in one line and exits with 2. TEXMAP_BUILD and TEXMAP_PROGRAM come
-# from build/test.
+# before stays, and texmap says why in one line and exits with 2. TEXMAP_BUILD and TEXMAP_PROGRAM
+# come from build/test.
 
 top=$PWD
 absolute() { case $1 in /*) echo "$1" ;; *) echo "$top/$1" ;; esac; }
@@ -48,7 +48,8 @@ fails() {
             file=old.${command##*.}
             [ $to = out/new ] || { echo before > "out/$file"; ln -s "out/$file" "link.${file#*.}"; }
             was=$(state)
-            text=$(sh -c "$4 exec '$texmap' $(echo "$command" | sed "s|OUT|$to|") $5" 2>&1 > /dev/null)
+            line="$4 exec '$texmap' $(echo "$command" | sed "s|OUT|$to|") $5"
+            text=$(sh -c "$line" 2>&1 > /dev/null)
             status=$?
             case $status$text in
             2texmap:*"$2"*) [ "$(echo "$text" | wc -l)" -eq 1 ] && [ "$was" = "$(state)" ] ;;
@@ -75,7 +76,8 @@ fi
 
 # Each allocation of each command fails. Those before the last write no file.
 while IFS= read -r command; do
-    "$memory" $(echo "$command" | sed 's|OUT|out/new|') > log 2>&1 && [ "$(state | wc -l)" -le 1 ] ||
+    "$memory" $(echo "$command" | sed 's|OUT|out/new|') > log 2>&1 &&
+        [ "$(state | wc -l)" -le 1 ] ||
         why="texmap $command: $(tail -n 9 log) left in out/: $(state)"
     rm -rf out/*
 done << END
@@ -119,14 +121,16 @@ render="render --stage 3 $wall -o"
 "$texmap" $render a.ppm 2> /dev/null
 ln -s out/new.ppm link.ppm
 for way in 'to nothing' 'to a file'; do
-    "$texmap" $render link.ppm 2> log && [ -L link.ppm ] && cmp -s out/new.ppm a.ppm || why="$way: $(cat log)"
+    "$texmap" $render link.ppm 2> log && [ -L link.ppm ] && cmp -s out/new.ppm a.ppm ||
+        why="$way: $(cat log)"
     chmod 640 out/new.ppm
 done
 [ "$(ls -l out/new.ppm | cut -c1-10)" = -rw-r----- ] || why="$(ls -l out/new.ppm)"
 result 'a link stays, and what it points to is replaced and keeps its permissions'
 
 ln -s /dev/null link.ppm
-"$texmap" $render link.ppm 2> log && [ -L link.ppm ] && [ -c /dev/null ] || why="/dev/null: $(cat log)"
+"$texmap" $render link.ppm 2> log && [ -L link.ppm ] && [ -c /dev/null ] ||
+    why="/dev/null: $(cat log)"
 ln -sf /dev/full link.ppm
 "$texmap" $render link.ppm 2> log
 [ $? -eq 2 ] && [ -L link.ppm ] && [ -c /dev/full ] || why="/dev/full: $(cat log)"

@@ -3,6 +3,7 @@
 #include "tests/unit/files.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -134,7 +135,7 @@ static void check_refusal(const char *path, int reason)
 }
 
 /* A limit on the size of files stands in for a full disk: the file has begun when it is hit. */
-static void check_no_part_stays(const char *path)
+static void check_cut_off(const char *path)
 {
     struct rlimit before, small;
 
@@ -148,7 +149,28 @@ static void check_no_part_stays(const char *path)
     setrlimit(RLIMIT_FSIZE, &before);
     check(!written && strstr(error.text, strerror(EFBIG)), "a file cut off is an error", "%s: %s",
           path, error.text);
+}
+
+static void check_no_part_stays(const char *path)
+{
+    struct stat status;
+    char old[PATH_SIZE];
+
+    check_cut_off(path);
     check(!test_file_exists(path), "no part of a file stays", "%s is there", path);
+    snprintf(old, sizeof old, "%s.old", path);
+    const int descriptor = open(old, O_WRONLY | O_CREAT, 0666);
+    const bool made = descriptor >= 0 && close(descriptor) == 0;
+    if (check(made && symlink(strrchr(old, '/') + 1, path) == 0, "a file and a link to it", "%s",
+              strerror(errno))) {
+        check_cut_off(path);
+        check(lstat(path, &status) == 0 && S_ISLNK(status.st_mode) && stat(old, &status) == 0 &&
+                  status.st_size == 0,
+              "what a link leads to stays when a file is cut off", "%s: %ld bytes", old,
+              (long)status.st_size);
+    }
+    remove(path);
+    remove(old);
 }
 
 /* A link to /dev/full: it must outlive the failure. */

@@ -1,4 +1,4 @@
-/* build/memory ARGUMENT...: texmap with these arguments, and every allocation that it asks for fails
+/* build/memory ARGUMENT...: texmap with these arguments. Every allocation that it asks for fails
  * once: each time a child process goes on from there without that memory, and another one without
  * any memory from there on. Both must end like every failure, with one line on standard error and
  * exit status 2. If one does not, so says standard error, and the exit status is 99; else it is
@@ -24,7 +24,7 @@ void *__wrap_realloc(void *memory, size_t size);
 FILE *__wrap_open_memstream(char **text, size_t *size);
 
 static enum { PARENT, WITHOUT_ONE, WITHOUT_ANY } role;
-static int allocations, wrong; /* wrong stays 0 in the children */
+static int allocations, wrong;
 
 /* Standard error of a child, which ends with 2 and one line. */
 static void judge(pid_t child, int from)
@@ -64,6 +64,7 @@ static bool fails(void)
             dup2(nowhere, STDOUT_FILENO);
             dup2(ends[1], STDERR_FILENO);
             role = kind;
+            wrong = 0;
             errno = ENOMEM;
             return true;
         }
