@@ -1,250 +1,297 @@
-/* The coda: what would one write today? No segments: a divide for every pixel, eight at a time, in
- * span_exact_avx2.S, on x86-64 with AVX2, FMA and BMI (the caller sees to it that they are there).
- * Coverage is stage 3's, but 1/z, u/z and v/z are those of the vertices as given, and nothing is
- * accumulated: each span is evaluated from the triangle's plane, each pixel from its span's start.
- * A triangle of a few pixels is drawn all at once, without spans. */
+/* The coda: what would one write today? The exact answer for every pixel, eight pixels at a time.
+ *
+ * Which pixels lie inside is decided by integers. A texel is found in float, whose error is bounded;
+ * where a border between two texels lies within the bound the pixel is in doubt, and is drawn again
+ * by integer weights, as tests/exact does. So every frame is that of `--stage exact`, bit for bit.
+ *
+ * The two loops over pixels are in coda.S: x86-64 with AVX2, FMA, BMI (the caller asks for them). */
 #include <assert.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include "common/image.h"
 #include "common/vertex.h"
 
-static float min(float a, float b) { return a < b ? a : b; }
-static float max(float a, float b) { return a > b ? a : b; }
+#define GRID_ONE 65536 /* vertices lie on a grid of 2^-16 pixel; u and v are 16.16 */
 
-/* The quantities that are linear on the screen. */
-enum linear { ONE_OVER_Z, U_OVER_Z, V_OVER_Z, LINEAR_COUNT };
+static double min(double a, double b) { return a < b ? a : b; }
+static double max(double a, double b) { return a > b ? a : b; }
 
-/* At pixel (0, 0); the change a pixel to the right, a pixel down. */
-struct plane { double at[LINEAR_COUNT], dx[LINEAR_COUNT], dy[LINEAR_COUNT]; };
+/* The edge from a to b, the triangle on the side where the cross product is positive:
+ *   w(x, y) = (b - a) x (p - a) = constant + 2^16 (dx y - dy x)
+ * in squared grid units, |w| < 2^60, at the pixel p = (x, y). A pixel on the edge is inside if it is
+ * a left edge (w grows to the right) or a top one (w grows only downward): least is 0 then, else 1.
+ * All but the constant is a multiple of 2^16, so that 16 bits drop out:
+ *   w >= least   <=>   inside(x, y) = floor((constant - least) / 2^16) + dx y - dy x >= 0 */
+struct edge { int64_t constant, dx, dy, least; };
 
-/* What span_exact_avx2.S is told of a triangle, texels in pairs, u + 2^16 v; */
-struct mapping {
-    struct plane plane;         /* u and v count from the texel that the rounders add */
-    float u_rounder, v_rounder; /* ROUNDER + a texel */
-    uint32_t lowest, highest;   /* the triangle's own texels */
-    uint32_t masks, one_stride; /* the texture's sides less 1; 1, and its stride */
-    const uint32_t *texels;
-};
-struct span { uint32_t *pixels; int x, y, count; }; /* of a span, count > 0; */
-struct block { /* of a box that holds a triangle: columns <= 8, columns * rows <= 64 */
-    int x, y, columns, rows;
-    int edges[3], edges_dx[3], edges_dy[3]; /* a pixel is inside where all three are < 0 */
-};
-_Static_assert(offsetof(struct mapping, texels) == 96 && offsetof(struct span, count) == 16 &&
-               sizeof(struct span) == 24 && sizeof(struct block) == 52, "as in the .S");
+struct range { int min, max; };
+static struct range range_of(const int a[3])
+{
+    const int low = a[0] < a[1] ? a[0] : a[1], high = a[0] < a[1] ? a[1] : a[0];
+    return (struct range){low < a[2] ? low : a[2], high > a[2] ? high : a[2]};
+}
 
-void coda_draw_spans(const struct mapping *mapping, const struct span *spans, int count);
-void coda_draw_block(const struct mapping *mapping, const struct block *block, uint32_t *pixels,
-                     int stride);
+static uint32_t pair(int u, int v) { return (uint32_t)u | (uint32_t)v << 16; }
 
-#define ROUNDER 12582912 /* 1.5 * 2^23: a float of that size has no bits left for a fraction */
-#define SUBPIXEL_ONE 16  /* positions a pixel: 28.4 fixed point */
+static void edge_setup(struct edge *e, int sign, int ax, int ay, int bx, int by)
+{
+    e->dx = sign * (bx - ax), e->dy = sign * (by - ay);
+    e->constant = e->dy * ax - e->dx * ay;
+    e->least = e->dy < 0 || (e->dy == 0 && e->dx > 0) ? 0 : 1;
+}
+
+static int64_t weight(const struct edge *e, int x, int y)
+{
+    return e->constant + GRID_ONE * (e->dx * y - e->dy * x);
+}
+
+static int64_t inside(const struct edge *e, int x, int y)
+{
+    return ((e->constant - e->least) >> 16) + e->dx * y - e->dy * x; /* >>: gcc, clang: a floor */
+}
+
+/* One texture coordinate at the three vertices, and the triangle's own texels: lowest = floor(min +
+ * 1/2) .. highest = ceil(max - 1/2). A constant on a border has highest < lowest: both are then the
+ * one inside the texture. Where there is one texel only, the coordinate is its centre. */
+struct axis { double at[3], range; int lowest, highest, mask; };
+
 #define FLOOR_OFFSET (1 << 20)
-/* floor(value) for |value| < 2^20: what is positive is cut downward. */
+/* floor(value) for |value| < 2^20, a multiple of 2^-30: what is positive is cut downward. */
 static int floor_to_int(double value) { return (int)(value + FLOOR_OFFSET) - FLOOR_OFFSET; }
-static int round_to_28_4(double c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
 
-/* The first row or column of pixels at a 28.4 coordinate or beyond; none lies below -1/2. */
-static int first_pixel(int c) { return (c + 2 * SUBPIXEL_ONE - 1) / SUBPIXEL_ONE - 1; }
-
-struct corner { int x, y; const struct vertex *given; }; /* x, y: 28.4 pixels */
-
-/* From top to bottom, then left to right: the six orders of three vertices draw the same frame. */
-static void corners_setup(struct corner c[3], const struct vertex v[3])
+static void axis_setup(struct axis *axis, double a, double b, double c, int side)
 {
-    for (int i = 0; i < 3; i++) {
-        const struct corner next = {round_to_28_4(v[i].x), round_to_28_4(v[i].y), &v[i]};
-        int n = i; /* how many lie above it */
-        for (; n > 0 && (next.y < c[n - 1].y || (next.y == c[n - 1].y && next.x < c[n - 1].x)); n--)
-            c[n] = c[n - 1];
-        c[n] = next;
+    const double least = min(a, min(b, c)), most = max(a, max(b, c));
+    const int lowest = floor_to_int(least + 0.5), highest = -floor_to_int(0.5 - most);
+    axis->at[0] = a, axis->at[1] = b, axis->at[2] = c, axis->range = most - least;
+    axis->lowest = lowest, axis->highest = highest, axis->mask = side - 1;
+    if (lowest >= highest) {
+        const int only = highest < lowest && highest == side - 1 ? highest : lowest;
+        axis->at[0] = axis->at[1] = axis->at[2] = only, axis->range = 0;
+        axis->lowest = axis->highest = only;
     }
 }
 
-/* The triangle's own texels, lo = floor(min + 1/2) .. hi = ceil(max - 1/2) over its three. A u that
- * is constant, on the border of two, has hi = lo - 1: both become the one inside the texture. In
- * the middle of them is where texels count from: float is finest around 0. */
-struct range { int lowest, highest, middle; };
-static struct range range_setup(float a, float b, float c, int size)
+/* floor(c + 1/2), moved up by far more than the error of c: on a border all pixels go up. */
+static int nearest_texel(const struct axis *a, double c)
 {
-    int lo = floor_to_int(min(a, min(b, c)) + 0.5);
-    int hi = -floor_to_int(0.5 - max(a, max(b, c)));
-    if (hi < lo)
-        lo = hi = hi == size - 1 ? hi : lo;
-    return (struct range){lo, hi, (lo + hi) / 2};
+    const int texel = (int)floor(c + (0.5 + 1.0 / 2097152));
+    return (texel < a->lowest ? a->lowest : texel > a->highest ? a->highest : texel) & a->mask;
 }
 
-/* For f linear on the screen, f0 f1 f2 at the corners:
- *   df/dx = ((f1 - f0)(y2 - y0) - (f2 - f0)(y1 - y0)) / area
- *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
- *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)       > 0: corner 1 is right of the edge 0-2
- * Returns the area; where that is 0 there is no plane. */
-static double plane_setup(struct plane *p, const double x[3], const double y[3],
-                          double f[3][LINEAR_COUNT])
+/* What coda.S is told of a triangle; pairs are u + 2^16 v. */
+struct mapping {
+    const uint32_t *texels;
+    uint32_t masks, one_stride; /* the texture's sides less 1; 1, and its stride */
+    int u, v;                   /* of vertex 0 and half a texel, 16.16 */
+};
+
+struct triangle {
+    struct image *frame;
+    struct edge edges[3]; /* edges[i] lies opposite vertex i: w is that vertex's weight */
+    double one_over_z[3];
+    struct axis u, v;
+    struct mapping mapping;
+};
+
+/* Each vertex counts by its weight and its 1/z:  u = sum(w u / z) / sum(w / z).
+ * The same operations as in tests/exact, so that the last bit is the same. */
+static void draw_exactly(const struct triangle *t, uint32_t *pixel, int x, int y)
 {
-    const double x1 = x[1] - x[0], y1 = y[1] - y[0], x2 = x[2] - x[0], y2 = y[2] - y[0];
-    const double area = x1 * y2 - x2 * y1;
-    if (area == 0)
-        return 0;
-    const double one_over_area = 1 / area;
+    double one_over_z = 0, u_over_z = 0, v_over_z = 0;
+    for (int i = 0; i < 3; i++) {
+        const int64_t w = weight(&t->edges[i], x, y);
+        if (w < t->edges[i].least)
+            return; /* the assembly's vectors reach beyond the triangle */
+        const double share = (double)w * t->one_over_z[i];
+        one_over_z += share;
+        u_over_z += share * t->u.at[i];
+        v_over_z += share * t->v.at[i];
+    }
+    const int u = nearest_texel(&t->u, u_over_z / one_over_z);
+    const int v = nearest_texel(&t->v, v_over_z / one_over_z);
+    *pixel = t->mapping.texels[v * (t->u.mask + 1) + u];
+}
+
+/* 1/z, u/z and v/z are linear on the screen. Divided by vertex 0's 1/z, and with u and v counted
+ * from there in 2^-16 texel, they are 1, 0 and 0 at vertex 0, so that two weights give them:
+ *   f(x, y) = f(vertex 0) + w1 f1 + w2 f2,    f1 = (f(vertex 1) - f(vertex 0)) / area
+ * The weights are in 2^16 squared grid units: one changes by dx or -dy from pixel to pixel. */
+enum linear { ONE_OVER_Z, U_OVER_Z, V_OVER_Z, LINEAR_COUNT };
+struct plane { double f1[LINEAR_COUNT], f2[LINEAR_COUNT], dx[LINEAR_COUNT], dy[LINEAR_COUNT]; };
+
+static void plane_setup(struct plane *p, const struct triangle *t, double area, double z)
+{
+    const struct edge *e1 = &t->edges[1], *e2 = &t->edges[2];
+    const double one = GRID_ONE / area;
+    const double z1 = one * z * t->one_over_z[1], z2 = one * z * t->one_over_z[2];
+    const double *u = t->u.at, *v = t->v.at;
+    p->f1[ONE_OVER_Z] = z1 - one;
+    p->f2[ONE_OVER_Z] = z2 - one;
+    p->f1[U_OVER_Z] = GRID_ONE * z1 * (u[1] - u[0]);
+    p->f2[U_OVER_Z] = GRID_ONE * z2 * (u[2] - u[0]);
+    p->f1[V_OVER_Z] = GRID_ONE * z1 * (v[1] - v[0]);
+    p->f2[V_OVER_Z] = GRID_ONE * z2 * (v[2] - v[0]);
     for (int i = 0; i < LINEAR_COUNT; i++) {
-        const double f1 = (f[1][i] - f[0][i]) * one_over_area;
-        const double f2 = (f[2][i] - f[0][i]) * one_over_area;
-        p->dx[i] = f1 * y2 - f2 * y1;
-        p->dy[i] = f2 * x1 - f1 * x2;
-        p->at[i] = f[0][i] - x[0] * p->dx[i] - y[0] * p->dy[i];
-    }
-    return area;
-}
-
-/* May the plane of the vertices as given be used where these have been rounded to, 1/32 pixel away?
- * A needle's may be so steep that 1/z falls below 0 there. If so, 1/z stays above 3/4 of the
- * vertices' smallest, and |u| and |v| below (2^14 + 2^12) / (3/4) < 2^15: a word holds them. */
-static bool plane_holds(const struct plane *p, double one_over_z_min)
-{
-    const double most = 2 * SUBPIXEL_ONE * one_over_z_min / 4, uv_most = TEXEL_MAX * most;
-    return fabs(p->dx[ONE_OVER_Z]) + fabs(p->dy[ONE_OVER_Z]) <= most &&
-           fabs(p->dx[U_OVER_Z]) + fabs(p->dy[U_OVER_Z]) <= uv_most &&
-           fabs(p->dx[V_OVER_Z]) + fabs(p->dy[V_OVER_Z]) <= uv_most;
-}
-
-/* Do u and v rise along scanline y, bits 1 and 2? du/dx has the sign of
- * 1/z d(u/z)/dx - u/z d(1/z)/dx, which is the same all along it. */
-static int directions(const struct plane *p, int y)
-{
-    const double one_over_z = p->at[ONE_OVER_Z] + y * p->dy[ONE_OVER_Z]; /* at x = 0 */
-    const double u_over_z = p->at[U_OVER_Z] + y * p->dy[U_OVER_Z];
-    const double v_over_z = p->at[V_OVER_Z] + y * p->dy[V_OVER_Z];
-    return (one_over_z * p->dx[U_OVER_Z] >= u_over_z * p->dx[ONE_OVER_Z]) << U_OVER_Z |
-           (one_over_z * p->dx[V_OVER_Z] >= v_over_z * p->dx[ONE_OVER_Z]) << V_OVER_Z;
-}
-
-#define TIE (1.0 / 262144) /* texel */
-
-/* Texels are rounded to the nearest after a step of TIE in the direction of u and v: what lies on
- * the border of two becomes floor(c + 1/2) where it rises, ceil(c - 1/2) where it falls. */
-static void plane_round(struct plane *rounded, const struct plane *p, int rising)
-{
-    *rounded = *p;
-    for (int f = U_OVER_Z; f <= V_OVER_Z; f++) {
-        const double step = rising & 1 << f ? TIE : -TIE;
-        rounded->at[f] += step * p->at[ONE_OVER_Z];
-        rounded->dx[f] += step * p->dx[ONE_OVER_Z];
-        rounded->dy[f] += step * p->dy[ONE_OVER_Z];
+        p->dx[i] = -(double)e1->dy * p->f1[i] - (double)e2->dy * p->f2[i];
+        p->dy[i] = (double)e1->dx * p->f1[i] + (double)e2->dx * p->f2[i];
     }
 }
 
-/* The plane of the vertices as given; as rounded, where they have that area, if the former have
- * none, the other winding, or a plane that does not hold. Texels count from u and v. */
-static void plane_choose(struct plane *p, const struct corner c[3], double area, int u, int v)
+/* What it is told of a triangle's rows. At row y an edge is crossed at column x + y dx: the pixels
+ * from floor(x + y dx) + 1 on lie beyond. */
+struct border { double x, dx; };
+struct share { double constant, fraction, dx, dy; }; /* a weight: the sum of constant + dx y - dy x,
+                                                        whole numbers, and a fraction */
+struct rows {
+    struct border left[2], right[2]; /* inside: beyond both of left, and none of right */
+    struct share w1, w2;
+    double f1[LINEAR_COUNT], f2[LINEAR_COUNT];
+    double step[LINEAR_COUNT];                 /* a pixel away from the anchor */
+    double error, error_by_step, error_most;  /* see draw_rows() */
+    double y;
+    uint32_t *pixels; /* of column 0 */
+    int stride, count, from_right;
+};
+struct doubt { uint32_t *pixels, mask; }; /* of sixteen pixels: a bit for each in doubt */
+
+struct box { /* at most 8 columns, 64 pixels; one is inside where all edges are < 0 */
+    int columns, rows, error;
+    int edges[3], edges_dx[3], edges_dy[3]; /* in the first pixel; the change a column, a row */
+    float at[LINEAR_COUNT], dx[LINEAR_COUNT], dy[LINEAR_COUNT];
+};
+_Static_assert(offsetof(struct mapping, v) == 20 && offsetof(struct rows, from_right) == 248 &&
+               offsetof(struct box, dy) == 72 && sizeof(struct doubt) == 16, "as in coda.S");
+
+/* Returns the end of what it added to doubts: at most one for sixteen pixels of a row. */
+struct doubt *coda_draw_rows(const struct mapping *, const struct rows *, struct doubt *doubts);
+/* Returns a bit for each pixel in doubt, row after row. */
+uint64_t coda_draw_box(const struct mapping *, const struct box *, uint32_t *pixels, int stride);
+
+static struct border border_setup(const struct edge *e)
 {
-    double f[3][LINEAR_COUNT], x[3], y[3];
-    for (int i = 0; i < 3; i++) {
-        f[i][ONE_OVER_Z] = 1.0 / c[i].given->z;
-        f[i][U_OVER_Z] = f[i][ONE_OVER_Z] * (c[i].given->u - u);
-        f[i][V_OVER_Z] = f[i][ONE_OVER_Z] * (c[i].given->v - v);
-        x[i] = c[i].given->x, y[i] = c[i].given->y;
-    }
-    const double z_max = max(c[0].given->z, max(c[1].given->z, c[2].given->z));
-    if (plane_setup(p, x, y, f) * area <= 0 || !plane_holds(p, 1 / z_max)) {
-        for (int i = 0; i < 3; i++)
-            x[i] = c[i].x / (double)SUBPIXEL_ONE, y[i] = c[i].y / (double)SUBPIXEL_ONE;
-        plane_setup(p, x, y, f);
-    }
+    return (struct border){((double)inside(e, 0, 0) + 0.5) / (double)e->dy,
+                           (double)e->dx / (double)e->dy};
 }
 
-/* The first pixel at or beyond an edge is ceil(N / D), N = x0 dy + (16 y - y0) dx, D = 16 dy, x0 ..
- * dy in 28.4, and for whole numbers that is floor((N - 1/2) / D) + 1. What is cut there is at least
- * 1/(2D) from where it would change, and double loses less: |N / D| 2^-51 <= 2^-18 / D. */
-struct edge { double x, dx; }; /* (N - 1/2) / D at y = 0; its change a scanline down */
-
-static struct edge edge_setup(const struct corner *top, const struct corner *bottom)
+static struct share share_setup(const struct edge *e)
 {
-    const double dx = bottom->x - top->x, dy = bottom->y - top->y;
-    return (struct edge){(top->x * dy - top->y * dx - 0.5) / (SUBPIXEL_ONE * dy), dx / dy};
+    return (struct share){(double)(e->constant >> 16),
+                          (double)(e->constant & (GRID_ONE - 1)) / GRID_ONE,
+                          (double)e->dx, (double)e->dy};
 }
 
-static int edge_at(struct edge edge, int y) { return floor_to_int(edge.x + y * edge.dx) + 1; }
+#define DOUBTS_MAX 2048 /* a call */
 
-#define SPANS_MAX 32 /* a call: the processor begins with the next span before one is finished */
-
-static void draw_spans(struct image *frame, struct mapping *m, const struct plane *p,
-                       const struct corner c[3], bool whole_is_left)
+/* Along a row, q pixels from its anchor, the end with the smaller 1/z, where that is o and u is u0:
+ *   u(q) = u0 + step t,   t = q / (1 + q d),   step = (d(u/z)/dx - u0 d) / o,   d = (d(1/z)/dx) / o
+ * Nothing cancels, as q d >= 0. In units of 2^-16 texel, with D = |u(q) - u0| <= |step| q:
+ *   step, d, 1 + q d, t, step t are floats: 5 times 2^-24 of D           5/256 D in texels
+ *   vertex 0, its distance to u0, and step t become integers             1 + 1/2 + 1/2
+ *   u0, step and d are doubles, off by 64 2^-53 depth ratio range        range / 2^15
+ *   the exact answer goes up from 2^-21 below a border on                1/32
+ * and one for the cut to an integer. u goes up by that error; where its fraction is then below twice
+ * the error, a border is near.
+ *
+ * An edge's column is inside(0, y) / dy, halfway to the next numerator: 1/(2 dy) from where it would
+ * change, while double, below 2^42 / dy, loses less than 2^-10 / dy. */
+static void draw_rows(const struct triangle *t, const struct plane *p, int columns, int y, int end)
 {
-    struct span spans[SPANS_MAX];
-    int n = 0, rising = -1;
-    const struct edge whole = edge_setup(&c[0], &c[2]);
-    for (int i = 0; i < 2; i++) {
-        const struct edge half = c[i].y < c[i + 1].y ? edge_setup(&c[i], &c[i + 1]) : whole;
-        const struct edge left = whole_is_left ? whole : half, right = whole_is_left ? half : whole;
-        for (int y = first_pixel(c[i].y); y < first_pixel(c[i + 1].y); y++) {
-            const int x = edge_at(left, y), end = edge_at(right, y), now_rising = directions(p, y);
-            if (n == SPANS_MAX || (n > 0 && now_rising != rising)) {
-                coda_draw_spans(m, spans, n);
-                n = 0;
+    struct doubt doubts[DOUBTS_MAX];
+    const struct edge *e = t->edges;
+    const double range = max(t->u.range, t->v.range), away = p->dx[ONE_OVER_Z] < 0 ? -1 : 1;
+    struct rows r = {.w1 = share_setup(&e[1]), .w2 = share_setup(&e[2]),
+                     .error = 3.1 + range / 32768, .error_by_step = 5.0 / 256 / GRID_ONE,
+                     .error_most = 5.0 / 256 * range, .stride = t->frame->stride,
+                     .from_right = away < 0 ? -1 : 0};
+    for (int i = 0, lefts = 0, rights = 0; i < 3; i++) {
+        r.f1[i] = p->f1[i], r.f2[i] = p->f2[i], r.step[i] = away * p->dx[i];
+        if (e[i].dy < 0)
+            r.left[lefts++] = r.left[1] = border_setup(&e[i]);
+        else if (e[i].dy > 0)
+            r.right[rights++] = r.right[1] = border_setup(&e[i]);
+    }
+    const int rows = DOUBTS_MAX / ((columns + 15) / 16);
+    for (; y < end; y += rows) {
+        r.y = y, r.count = end - y < rows ? end - y : rows;
+        r.pixels = &t->frame->pixels[y * r.stride];
+        const struct doubt *doubts_end = coda_draw_rows(&t->mapping, &r, doubts);
+        for (const struct doubt *d = doubts; d < doubts_end; d++) {
+            const int first = (int)(d->pixels - t->frame->pixels);
+            for (uint32_t bits = d->mask; bits; bits &= bits - 1) {
+                const int i = first + __builtin_ctz(bits);
+                draw_exactly(t, &t->frame->pixels[i], i % r.stride, i / r.stride);
             }
-            if (now_rising != rising)
-                plane_round(&m->plane, p, rising = now_rising);
-            if (x < end)
-                spans[n++] = (struct span){&frame->pixels[y * frame->stride + x], x, y, end - x};
         }
     }
-    if (n > 0)
-        coda_draw_spans(m, spans, n);
 }
 
-/* w = (xb - xa)(y - ya) - (yb - ya)(x - xa), in 28.4, is > 0 on one side of the edge from a to b:
- * inside, if the area is positive. Where w is 0, a pixel is inside if the edge is a left one (w
- * grows to the right) or a top one (w grows only downward). */
-static void draw_block(struct image *frame, const struct mapping *m, const struct corner c[3],
-                       int sign, struct block *b)
+/* Over a box the same in float, from its first pixel. With box <= 4 area, and depths and so the f at
+ * the vertices within 2 of each other, u/z, v/z err by (24 4 + 2) 2^-24 of the range, 1/z by (12 4 +
+ * 4) 2^-24; with the divide and the product that makes 302/256 < 1.2 for each texel of range. */
+static void draw_box(const struct triangle *t, const struct plane *p, struct box *b, int x, int y)
 {
-    for (int i = 0; i < 3; i++) {
-        const struct corner *from = &c[i], *to = &c[i < 2 ? i + 1 : 0];
-        const int dx = sign * (to->x - from->x), dy = sign * (to->y - from->y);
-        const int w = dx * (SUBPIXEL_ONE * b->y - from->y) - dy * (SUBPIXEL_ONE * b->x - from->x);
-        b->edges[i] = -w - (dy < 0 || (dy == 0 && dx > 0));
-        b->edges_dx[i] = SUBPIXEL_ONE * dy;
-        b->edges_dy[i] = -SUBPIXEL_ONE * dx;
+    uint32_t *pixels = &t->frame->pixels[y * t->frame->stride + x];
+    const double w1 = (double)weight(&t->edges[1], x, y) / GRID_ONE;
+    const double w2 = (double)weight(&t->edges[2], x, y) / GRID_ONE;
+    for (int i = 0; i < LINEAR_COUNT; i++) {
+        b->at[i] = (float)((i == ONE_OVER_Z) + w1 * p->f1[i] + w2 * p->f2[i]);
+        b->dx[i] = (float)p->dx[i], b->dy[i] = (float)p->dy[i];
+        b->edges[i] = (int)(-1 - inside(&t->edges[i], x, y));
+        b->edges_dx[i] = (int)t->edges[i].dy, b->edges_dy[i] = (int)-t->edges[i].dx;
     }
-    coda_draw_block(m, b, &frame->pixels[b->y * frame->stride + b->x], frame->stride);
+    b->error = (int)(2.6 + 1.2 * max(t->u.range, t->v.range));
+    uint64_t bits = coda_draw_box(&t->mapping, b, pixels, t->frame->stride);
+    for (; bits; bits &= bits - 1) {
+        const int i = __builtin_ctzll(bits), row = i / b->columns, column = i % b->columns;
+        draw_exactly(t, &pixels[row * t->frame->stride + column], x + column, y + row);
+    }
 }
 
-static uint32_t pair(int u, int v) { return ((uint32_t)u & 0xFFFF) | (uint32_t)v << 16; }
+/* The first row or column at a grid position or beyond. */
+static int first_pixel(int grid) { return (grid + GRID_ONE - 1) >> 16; }
 
-/* Draws the triangle, as the stages do. The texture's stride is below 2^15 texels. */
+/* Draws the triangle, as the stages do. */
 void coda_draw_triangle(struct image *frame, const struct image *texture, const struct vertex v[3])
 {
     assert(!(texture->width & (texture->width - 1)) && !(texture->height & (texture->height - 1)));
-    assert(texture->stride <= INT16_MAX);
-    struct corner c[3];
-    corners_setup(c, v);
-    const double area = (double)(c[1].x - c[0].x) * (c[2].y - c[0].y) -
-                        (double)(c[2].x - c[0].x) * (c[1].y - c[0].y);
+    int x[3], y[3];
+    for (int i = 0; i < 3; i++)
+        x[i] = (int)(v[i].x * GRID_ONE), y[i] = (int)(v[i].y * GRID_ONE);
+    const int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) -
+                         (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
     if (area == 0)
         return;
-    const struct range u = range_setup(v[0].u, v[1].u, v[2].u, texture->width);
-    const struct range w = range_setup(v[0].v, v[1].v, v[2].v, texture->height);
-    struct mapping m = {
-        .u_rounder = (float)(ROUNDER + u.middle), .v_rounder = (float)(ROUNDER + w.middle),
-        .lowest = pair(u.lowest, w.lowest), .highest = pair(u.highest, w.highest),
-        .masks = pair(texture->width - 1, texture->height - 1),
-        .one_stride = pair(1, texture->stride), .texels = texture->pixels,
-    };
+    struct triangle t; /* not = {..}: setting the rest to 0 takes longer than all that follows */
+    t.frame = frame;
+    axis_setup(&t.u, v[0].u, v[1].u, v[2].u, texture->width);
+    axis_setup(&t.v, v[0].v, v[1].v, v[2].v, texture->height);
+    t.mapping.texels = texture->pixels;
+    t.mapping.masks = pair(texture->width - 1, texture->height - 1);
+    t.mapping.one_stride = pair(1, texture->width);
+    t.mapping.u = (int)(t.u.at[0] * GRID_ONE) + GRID_ONE / 2;
+    t.mapping.v = (int)(t.v.at[0] * GRID_ONE) + GRID_ONE / 2;
+    const int sign = area > 0 ? 1 : -1;
+    edge_setup(&t.edges[0], sign, x[1], y[1], x[2], y[2]);
+    edge_setup(&t.edges[1], sign, x[2], y[2], x[0], y[0]);
+    edge_setup(&t.edges[2], sign, x[0], y[0], x[1], y[1]);
+    for (int i = 0; i < 3; i++)
+        t.one_over_z[i] = 1.0 / v[i].z;
     struct plane p;
-    plane_choose(&p, c, area, u.middle, w.middle);
+    plane_setup(&p, &t, fabs((double)area), v[0].z);
 
-    const int x = first_pixel((int)min(c[0].x, min(c[1].x, c[2].x))), y = first_pixel(c[0].y);
-    const int x_end = first_pixel((int)max(c[0].x, max(c[1].x, c[2].x)));
-    struct block b = {.x = x, .y = y, .columns = x_end - x, .rows = first_pixel(c[2].y) - y};
-    const int pixels = b.columns * b.rows, rising = directions(&p, y);
-    /* Slivers, with less than an eighth of their box, and where u or v turns, go by spans. */
-    if (b.columns <= 8 && pixels > 0 && pixels <= 64 && 64 * pixels <= fabs(area) &&
-        rising == directions(&p, y + b.rows - 1)) {
-        plane_round(&m.plane, &p, rising);
-        draw_block(frame, &m, c, area > 0 ? 1 : -1, &b);
-    } else {
-        draw_spans(frame, &m, &p, c, area > 0);
-    }
+    const struct range across = range_of(x), down = range_of(y);
+    const int left = first_pixel(across.min), top = first_pixel(down.min);
+    struct box b;
+    b.columns = first_pixel(across.max) - left, b.rows = first_pixel(down.max) - top;
+    if (b.columns == 0 || b.rows == 0)
+        return;
+    const double box = (double)(across.max - across.min) * (down.max - down.min);
+    const double z_min = min(v[0].z, min(v[1].z, v[2].z));
+    if (b.columns <= 8 && b.columns * b.rows <= 64 && box <= 4 * fabs((double)area) &&
+        max(v[0].z, max(v[1].z, v[2].z)) <= 2 * z_min && max(t.u.range, t.v.range) <= 4096)
+        draw_box(&t, &p, &b, left, top);
+    else
+        draw_rows(&t, &p, b.columns, top, top + b.rows);
 }

@@ -31,13 +31,14 @@ struct call_state {
 struct call {
     void (*function)(void);
     uint64_t arguments[CALL_ARGUMENTS];
-    uint64_t unused; /* FXSAVE's place must be a multiple of 16 */
+    uint64_t result; /* rax */
     struct call_state before, after;
 };
 
 /* In call_checked.S. */
 void call_recorded(struct call *call);
 _Static_assert(offsetof(struct call, arguments) == 8, "C_ARGUMENTS in call_checked.S");
+_Static_assert(offsetof(struct call, result) == 56, "C_RESULT in call_checked.S");
 _Static_assert(offsetof(struct call, before) == 64, "C_BEFORE in call_checked.S");
 _Static_assert(offsetof(struct call, after) == 704, "C_AFTER in call_checked.S");
 _Static_assert(offsetof(struct call_state, rsp) == 48, "S_RSP in call_checked.S");
@@ -58,6 +59,8 @@ static bool kept(bool equal, const char *name, char *text, size_t size)
     return equal;
 }
 
+uint64_t call_result;
+
 bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS], char *text,
                   size_t size)
 {
@@ -71,6 +74,7 @@ bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENT
     call.function = function;
     memcpy(call.arguments, arguments, sizeof call.arguments);
     call_recorded(&call);
+    call_result = call.result;
     for (int i = 0; i < 6; i++) {
         all &= kept(a->general[i] == b->general[i], general[i], text, size);
     }

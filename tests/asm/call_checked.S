@@ -13,6 +13,7 @@
 
         .set    C_FUNCTION, 0
         .set    C_ARGUMENTS, 8
+        .set    C_RESULT, 56
         .set    C_BEFORE, 64                    /* two struct call_state */
         .set    C_AFTER, 704
         .set    S_GENERAL, 0                    /* rbx, rbp, r12 to r15 */
@@ -100,6 +101,8 @@ call_recorded:
         mov     rax, 0x0123456789abcdef
         mov     r10, rax
         call    qword ptr [r11 + C_FUNCTION]
+        mov     r11, [rip + current]
+        mov     [r11 + C_RESULT], rax
         record  C_AFTER
 
 /* The caller's state again, whatever is left of it. */

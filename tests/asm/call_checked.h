@@ -17,4 +17,7 @@
 bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS], char *text,
                   size_t size);
 
+/* What the last call returned. */
+extern uint64_t call_result;
+
 #endif

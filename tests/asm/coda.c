@@ -1,192 +1,150 @@
-/* The group `coda`: its assembly against its twin in C, and its texels against the exact answer for
- * the vertices as given. Coverage, ranges and ties are among the gates. */
+/* The group `coda`: its assembly. That its frames are the exact answer's is among the gates.
+ */
 #include "tests/asm/coda.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "common/scene.h"
-#include "tests/asm/coda_twin.h"
+#include "tests/asm/asm.h"
+#include "tests/asm/call_checked.h"
 #include "tests/exact/exact.h"
-#include "tests/exact/meter.h"
-#include "tests/unit/test.h"
 #include "tests/unit/gates.h"
+#include "tests/unit/test.h"
 
 #ifdef TEXMAP_STAGE5
 
-#define SIDE_MAX 300
-#define FRAMES 400
-#define FRAME_TRIANGLES 100
-#define RATIO_LOG2_MAX 16 /* from DEPTH_MIN to DEPTH_MAX */
+/* coda.c once more, its calls into the assembly checked. */
+#define coda_draw_triangle checked_draw_triangle
+#define coda_draw_rows checked_draw_rows
+#define coda_draw_box checked_draw_box
+#include "stage5_asm/coda.c"
+#undef coda_draw_rows
+#undef coda_draw_box
+void coda_draw_rows(void), coda_draw_box(void);
 
-struct frames {
-    struct padded own, twin;
-};
+#define ROUNDS 40
+#define ROUND_TRIANGLES 50
+#define SIDE_MAX 70
+#define WIDTH_MAX 300
+#define SIDES 13            /* 1, 2, 4 .. 4096 */
+#define TEXELS_LOG2_MAX 18  /* larger textures take long to fill */
+#define RATIO_LOG2_MAX 16
 
-static bool frames_same(const struct frames *frames)
+static char changed[CODA_TEXT]; /* what call_checked() found in one of the calls */
+
+static void call(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS])
 {
-    const size_t size = frames->own.count * sizeof *frames->own.all;
-    return memcmp(frames->own.all, frames->twin.all, size) == 0;
+    char text[CODA_TEXT];
+
+    if (!call_checked(function, arguments, text, sizeof text)) {
+        snprintf(changed, sizeof changed, "not as they were: %.900s", text);
+    }
 }
 
-static bool triangles_same(struct random *random, const struct image *texture,
-                           struct frames *frames, char text[GATE_TEXT])
+struct doubt *checked_draw_rows(const struct mapping *mapping, const struct rows *rows,
+                                struct doubt *doubts)
 {
-    for (int k = 0; k < FRAME_TRIANGLES; k++) {
-        struct vertex v[3];
-        gate_shape(random, v, frames->own.image.width, frames->own.image.height);
-        gate_depths(random, v, random_int(random, 0, RATIO_LOG2_MAX));
-        gate_texels(random, v, -TEXEL_MAX, TEXEL_MAX);
-        coda_draw_triangle(&frames->own.image, texture, v);
-        twin_draw_triangle(&frames->twin.image, texture, v);
-        if (!frames_same(frames)) {
-            return gate_failed(text, v, &frames->own.image, "the first that differs");
+    call(coda_draw_rows, (uint64_t[CALL_ARGUMENTS]){(uintptr_t)mapping, (uintptr_t)rows,
+                                                    (uintptr_t)doubts});
+    return (struct doubt *)(uintptr_t)call_result;
+}
+
+uint64_t checked_draw_box(const struct mapping *mapping, const struct box *box, uint32_t *pixels,
+                          int stride)
+{
+    call(coda_draw_box, (uint64_t[CALL_ARGUMENTS]){(uintptr_t)mapping, (uintptr_t)box,
+                                                   (uintptr_t)pixels, (unsigned)stride});
+    return call_result;
+}
+
+struct task {
+    struct image own, exact, texture;
+    struct guarded memory[3];
+    struct vertex v[3];
+};
+
+/* Every row of the frame between guard pages; or rows of an odd stride, all in one block. */
+static void task_open(struct task *task, struct random *random)
+{
+    const int u_log2 = random_int(random, 0, SIDES - 1), rest = TEXELS_LOG2_MAX - u_log2;
+    const int v_log2 = random_int(random, 0, rest < SIDES - 1 ? rest : SIDES - 1);
+    const int width = random_int(random, 1, WIDTH_MAX), height = random_int(random, 1, SIDE_MAX);
+    const int stride = width + random_int(random, 0, 5);
+    const bool by_rows = random_int(random, 0, 1), at_end = random_int(random, 0, 1);
+    struct image *frames[] = {&task->own, &task->exact};
+
+    for (int i = 0; i < 2; i++) {
+        *frames[i] = by_rows ? guarded_rows(&task->memory[i], width, height, at_end)
+                             : guarded_image(&task->memory[i], width, height, stride, at_end);
+    }
+    task->texture = guarded_image(&task->memory[2], 1 << u_log2, 1 << v_log2, 1 << u_log2,
+                                  random_int(random, 0, 1));
+    texture_fill(&task->texture, random_bits(random));
+}
+
+static void draw(void *context)
+{
+    struct task *task = context;
+
+    checked_draw_triangle(&task->own, &task->texture, task->v);
+}
+
+static bool task_holds(struct task *task, char text[CODA_TEXT])
+{
+    const void *address;
+
+    changed[0] = '\0';
+    if (!guarded_call(draw, task, &address)) {
+        return gate_failed(text, task->v, &task->own, "touches %p; the frame begins at %p, the "
+                           "texture, %dx%d, at %p", address, (void *)task->own.pixels,
+                           task->texture.width, task->texture.height,
+                           (void *)task->texture.pixels);
+    }
+    if (changed[0] != '\0') {
+        return gate_failed(text, task->v, &task->own, "%.300s", changed);
+    }
+    exact_draw_triangle(&task->exact, &task->texture, task->v);
+    for (int y = 0; y < task->own.height; y++) {
+        const size_t row = (size_t)y * (size_t)task->own.stride;
+        const bool gap = task->own.stride < task->own.width + 8 && y < task->own.height - 1;
+        const size_t size = (size_t)(gap ? task->own.stride : task->own.width) * sizeof(uint32_t);
+        if (memcmp(task->own.pixels + row, task->exact.pixels + row, size) != 0) {
+            return gate_failed(text, task->v, &task->own, "row %d is not the exact answer's", y);
         }
     }
     return true;
 }
 
-static void test_twin_triangles(void)
+bool coda_calls(char text[CODA_TEXT])
 {
-    struct random random = random_start(802);
-    char text[GATE_TEXT] = "";
-    struct image texture;
-    bool same = texture_create(&texture, TEXTURE_COORD);
+    struct random random = random_start(801);
+    bool holds = true;
 
-    for (int i = 0; same && i < FRAMES; i++) {
-        const int width = random_int(&random, 1, SIDE_MAX);
-        const int height = random_int(&random, 1, SIDE_MAX);
-        struct frames frames;
-        padded_create(&frames.own, width, height);
-        padded_create(&frames.twin, width, height);
-        same = triangles_same(&random, &texture, &frames, text);
-        free(frames.own.all);
-        free(frames.twin.all);
-    }
-    image_destroy(&texture);
-    check(same, "coda: triangles are the C twin's, bit for bit", "%s", text);
-}
-
-#define WIDTH 1024
-#define HEIGHT 768
-#define WRONG_PARTS 50000 /* 0.002 % */
-
-/* What was found in a scene. */
-struct tally {
-    long pixels, wrong;
-};
-
-/* Is the texel right for an exact coordinate? */
-static bool axis_right(double exact, uint32_t texel)
-{
-    return texel == (uint32_t)(int)floor(exact + 0.5 - TEXEL_BORDER) ||
-           texel == (uint32_t)(int)floor(exact + 0.5 + TEXEL_BORDER);
-}
-
-/* The pixels of one triangle, in a frame drawn with the texture `coord`: coverage is that of the
- * vertices as rounded, texels are those of the vertices as given. Where rounding has made the
- * triangle larger, exact_at() holds u and v to the range of its three. */
-static void tally_triangle(struct tally *tally, const struct image *frame, const struct vertex v[3])
-{
-    const struct vertex rounded[3] = {exact_round(&v[0], 16), exact_round(&v[1], 16),
-                                      exact_round(&v[2], 16)};
-    struct exact_triangle covered, given;
-
-    if (!exact_setup(&covered, rounded) || !exact_setup(&given, v)) {
-        return;
-    }
-    for (int y = covered.first_row; y < covered.end_row; y++) {
-        int first, end;
-        exact_row(&covered, y, frame->width, &first, &end);
-        for (int x = first; x < end; x++) {
-            const struct exact_point exact = exact_at(&given, x, y);
-            const uint32_t pixel = frame->pixels[y * frame->stride + x];
-            tally->pixels++;
-            tally->wrong += !axis_right(exact.u, pixel >> 16 & 0xFF) ||
-                            !axis_right(exact.v, pixel >> 8 & 0xFF);
+    for (int i = 0; holds && i < ROUNDS; i++) {
+        struct task task;
+        task_open(&task, &random);
+        for (int k = 0; holds && k < ROUND_TRIANGLES; k++) {
+            gate_shape(&random, task.v, task.own.width, task.own.height);
+            gate_depths(&random, task.v, random_int(&random, 0, RATIO_LOG2_MAX));
+            gate_texels(&random, task.v, -TEXEL_MAX, TEXEL_MAX);
+            holds = task_holds(&task, text);
+        }
+        for (int k = 0; k < 3; k++) {
+            guarded_destroy(&task.memory[k]);
         }
     }
-}
-
-/* In a scene whose triangles do not hide each other. */
-static void test_texels(enum scene_id scene)
-{
-    const struct view view = {WIDTH, HEIGHT, 0, 0};
-    struct image frame, texture;
-    struct triangle_list list = {0};
-    struct tally tally = {0};
-    char name[GATE_TEXT];
-
-    if (!scene_build(scene, 0, &view, &list) || !texture_create(&texture, TEXTURE_COORD) ||
-        !image_create(&frame, WIDTH, HEIGHT)) {
-        perror("test");
-        exit(2);
-    }
-    for (size_t i = 0; i < list.count; i++) {
-        coda_draw_triangle(&frame, &texture, list.items[i].v);
-    }
-    for (size_t i = 0; i < list.count; i++) {
-        tally_triangle(&tally, &frame, list.items[i].v);
-    }
-    snprintf(name, sizeof name, "coda: at most 0.002 %% of %s's texels are wrong for the vertices "
-             "as given", scene_name(scene));
-    check(tally.pixels > 0 && tally.wrong * WRONG_PARTS <= tally.pixels, name,
-          "%ld of %ld pixels", tally.wrong, tally.pixels);
-    triangle_list_destroy(&list);
-    image_destroy(&texture);
-    image_destroy(&frame);
-}
-
-/* As given without area or of the other winding, and with area as rounded: pixels are drawn, and
- * texels are those of the vertices as rounded. */
-static void test_turned(const char *name, const struct vertex v[3])
-{
-    const struct vertex rounded[3] = {exact_round(&v[0], 16), exact_round(&v[1], 16),
-                                      exact_round(&v[2], 16)};
-    struct image texture, frames[2];
-    long drawn = 0;
-
-    if (!texture_create(&texture, TEXTURE_COORD) || !image_create(&frames[0], WIDTH, HEIGHT) ||
-        !image_create(&frames[1], WIDTH, HEIGHT)) {
-        perror("test");
-        exit(2);
-    }
-    coda_draw_triangle(&frames[0], &texture, v);
-    coda_draw_triangle(&frames[1], &texture, rounded);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        drawn += frames[0].pixels[i] != 0;
-    }
-    check(drawn > 0 && memcmp(frames[0].pixels, frames[1].pixels, WIDTH * HEIGHT * 4) == 0, name,
-          "%ld pixels drawn, or others than of the vertices as rounded", drawn);
-    image_destroy(&texture);
-    image_destroy(&frames[0]);
-    image_destroy(&frames[1]);
+    return holds;
 }
 
 void test_coda(void)
 {
-    static const struct vertex flat[3] = {{10, 10, 1, 0, 0}, {74.03125f, 42.015625f, 4, 99, 9},
-                                          {30, 20, 2, 7, 50}};
-    static const struct vertex turned[3] = {{10, 10, 1, 0, 0}, {74.03125f, 42.0234375f, 4, 99, 9},
-                                            {30, 20, 2, 7, 50}};
     char text[CODA_TEXT] = "";
 
     if (!coda_available()) {
         check_skip("the coda", CODA_MISSING);
         return;
     }
-    if (!check(coda_calls_hold(text), "coda: spans and boxes are the C twin's, bit for bit; "
-               "nothing beside frame and texture is touched; the calling convention is kept", "%s",
-               text)) {
-        return; /* what it broke may be this program */
-    }
-    test_twin_triangles();
-    test_texels(SCENE_WALL);
-    test_texels(SCENE_FLOOR);
-    test_texels(SCENE_MESH);
-    test_turned("coda: without area as given", flat);
-    test_turned("coda: of the other winding as given", turned);
+    check(coda_calls(text), CODA_CALLS, "%s", text);
 }
 
 #else

@@ -1,13 +1,15 @@
-/* What the files of the group `coda` share. */
-#ifndef TESTS_TEST_CODA_H
-#define TESTS_TEST_CODA_H
+/* What the coda's assembly must hold, by itself. */
+#ifndef TESTS_ASM_CODA_H
+#define TESTS_ASM_CODA_H
 
 #include <stdbool.h>
 
-#define CODA_TEXT 512
+#define CODA_TEXT 1024
 
-/* Are the assembly's spans and boxes the twin's, bit for bit? Do they touch nothing beside the rows
- * of frame and texture, and leave alone what a call must? If not, `text` says where not. */
-bool coda_calls_hold(char text[CODA_TEXT]);
+/* Triangles of all kinds between guard pages, each call into the assembly looked at: is nothing
+ * beside frame and texture touched, is the calling convention kept, and is the memory of the frame,
+ * what lies between its rows too, what the exact answer makes of it? If not, `text` says where. */
+#define CODA_CALLS "the coda's calls touch frame and texture only, and keep the calling convention"
+bool coda_calls(char text[CODA_TEXT]);
 
 #endif

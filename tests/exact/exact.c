@@ -55,8 +55,8 @@ static void set_texels(struct exact_triangle *triangle, const struct vertex v[3]
     for (int i = 0; i < 3; i++) {
         assert(v[i].z > 0);
         triangle->one_over_z[i] = 1.0 / v[i].z;
-        triangle->u_over_z[i] = (double)v[i].u / v[i].z;
-        triangle->v_over_z[i] = (double)v[i].v / v[i].z;
+        triangle->u[i] = v[i].u;
+        triangle->v[i] = v[i].v;
     }
     triangle->u_min = min3(v[0].u, v[1].u, v[2].u);
     triangle->u_max = max3(v[0].u, v[1].u, v[2].u);
@@ -125,15 +125,13 @@ struct exact_point exact_at(const struct exact_triangle *triangle, int x, int y)
         double w = (double)(triangle->constant[i] + triangle->step_x[i] * x +
                             triangle->step_y[i] * y);
         w_sum += w;
-        one_over_z += w * triangle->one_over_z[i];
-        u_over_z += w * triangle->u_over_z[i];
-        v_over_z += w * triangle->v_over_z[i];
+        double share = w * triangle->one_over_z[i];
+        one_over_z += share;
+        u_over_z += share * triangle->u[i];
+        v_over_z += share * triangle->v[i];
     }
-    double u = u_over_z / one_over_z, v = v_over_z / one_over_z;
     return (struct exact_point){
-        .u = u < triangle->u_min ? triangle->u_min : u > triangle->u_max ? triangle->u_max : u,
-        .v = v < triangle->v_min ? triangle->v_min : v > triangle->v_max ? triangle->v_max : v,
-        .z = w_sum / one_over_z,
+        u_over_z / one_over_z, v_over_z / one_over_z, w_sum / one_over_z,
     };
 }
 
@@ -148,13 +146,30 @@ struct vertex exact_round(const struct vertex *vertex, int grid)
     return rounded;
 }
 
-/* The index of the texel that holds coordinate c: unit squares around their centres. */
-static int texel_index(double c, double c_min, double c_max, int side)
-{
-    int index = (int)floor(c + 0.5);
-    bool used_once = c_min >= -0.5 && c_max <= side - 0.5;
+/* The triangle's own texels along one axis, lowest = floor(min + 1/2) .. highest = ceil(max - 1/2).
+ * A constant on the border of two has highest < lowest: both become the one inside the texture. */
+struct own_texels {
+    int lowest, highest;
+};
 
-    return used_once && index == side ? side - 1 : index & (side - 1);
+static struct own_texels own_texels(double c_min, double c_max, int side)
+{
+    int lowest = (int)floor(c_min + 0.5), highest = (int)ceil(c_max - 0.5);
+
+    if (highest < lowest) {
+        lowest = highest = highest == side - 1 ? highest : lowest;
+    }
+    return (struct own_texels){lowest, highest};
+}
+
+/* The texel of coordinate c, floor(c + 1/2): unit squares around their centres. c's own error is
+ * far below EXACT_TIE, so that all pixels with the same coordinate get the same texel. */
+static int texel_index(double c, struct own_texels own, int side)
+{
+    int index = (int)floor(c + (0.5 + EXACT_TIE));
+
+    index = index < own.lowest ? own.lowest : index > own.highest ? own.highest : index;
+    return index & (side - 1);
 }
 
 void exact_draw_triangle(struct image *frame, const struct image *texture,
@@ -165,6 +180,8 @@ void exact_draw_triangle(struct image *frame, const struct image *texture,
     if (!exact_setup(&triangle, v)) {
         return;
     }
+    struct own_texels own_u = own_texels(triangle.u_min, triangle.u_max, texture->width);
+    struct own_texels own_v = own_texels(triangle.v_min, triangle.v_max, texture->height);
     int first_row = triangle.first_row > 0 ? triangle.first_row : 0;
     int end_row = triangle.end_row < frame->height ? triangle.end_row : frame->height;
     for (int y = first_row; y < end_row; y++) {
@@ -172,8 +189,8 @@ void exact_draw_triangle(struct image *frame, const struct image *texture,
         exact_row(&triangle, y, frame->width, &first, &end);
         for (int x = first; x < end; x++) {
             struct exact_point at = exact_at(&triangle, x, y);
-            int u = texel_index(at.u, triangle.u_min, triangle.u_max, texture->width);
-            int v_index = texel_index(at.v, triangle.v_min, triangle.v_max, texture->height);
+            int u = texel_index(at.u, own_u, texture->width);
+            int v_index = texel_index(at.v, own_v, texture->height);
             frame->pixels[(size_t)y * (size_t)frame->stride + (size_t)x] =
                 texture->pixels[(size_t)v_index * (size_t)texture->stride + (size_t)u];
         }

@@ -10,6 +10,7 @@
 #include "common/vertex.h"
 
 #define EXACT_SUBPIXEL_ONE 65536 /* grid positions a pixel: vertices lie on multiples of 2^-16 */
+#define EXACT_TIE (1.0 / 2097152) /* texel, 2^-21: borders go up */
 #define EXACT_POSITION_MAX 8192  /* |x|, |y| in pixels, so that every edge function fits 64 bits */
 
 /* One triangle, ready to be asked about its pixels. At pixel (x, y) the edge function of the edge
@@ -20,7 +21,7 @@ struct exact_triangle {
     int64_t constant[3], step_x[3], step_y[3];
     int64_t least[3];       /* the smallest w_i inside: 0 on a left or top edge, else 1 */
     int first_row, end_row; /* first_row <= y < end_row holds every covered pixel */
-    double one_over_z[3], u_over_z[3], v_over_z[3];
+    double one_over_z[3], u[3], v[3];
     double u_min, u_max, v_min, v_max;
 };
 

@@ -424,7 +424,9 @@ bool judge_triangle(struct judge *judge, const struct stage *stage, const struct
                                      {2, 1, 0}};
     const int *o = orders[order];
     const struct vertex ordered[3] = {v[o[0]], v[o[1]], v[o[2]]};
-    const struct stage *twin = stage->twin ? stage_find(stage->twin) : NULL;
+    draw_triangle *twin = !stage->twin                         ? NULL
+                          : strcmp(stage->twin, "exact") == 0 ? exact_draw_triangle
+                                                               : stage_find(stage->twin)->draw;
     struct trial trial;
     bool holds = true;
 
@@ -435,8 +437,8 @@ bool judge_triangle(struct judge *judge, const struct stage *stage, const struct
         holds = same_box(judge, &trial, "with the vertices in another order", text);
     }
     if (holds && twin) {
-        twin->draw(&judge->frames[1], texture, v);
-        holds = same_box(judge, &trial, twin->name, text);
+        twin(&judge->frames[1], texture, v);
+        holds = same_box(judge, &trial, stage->twin, text);
     }
     for (int y = trial.top; y < trial.bottom; y++) {
         holds = holds && judge_row(judge, &trial, y, text);

@@ -64,8 +64,9 @@ __attribute__((constructor)) static void add_coda(void)
                 __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
     if (available) {
         table[sizeof table / sizeof table[0] - 2] =
-            (struct stage){"coda", NULL, coda_draw_triangle, NULL, .grid = 16,
-                           .segment_length = 1, .promises = COVERAGE | OWN_RANGE, .rounding = 1};
+            (struct stage){"coda", NULL, coda_draw_triangle, NULL, .segment_length = 1,
+                           .promises = COVERAGE | OWN_RANGE | TEXELS, .tie = 0x1p-20,
+                           .twin = "exact"};
     }
 }
 #endif

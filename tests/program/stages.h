@@ -31,7 +31,7 @@ struct stage {
                            0: u and v are exact */
     double tie;         /* texels: this near to a border, either side is right */
     bool variant;       /* of another stage: `all` leaves it out, but in bench */
-    const char *twin;   /* the stage whose frames these are, bit for bit; or NULL */
+    const char *twin;   /* the stage whose frames these are, bit for bit, or "exact"; or NULL */
 };
 
 /* Stages 1 to 5 (5 on x86-64 only) first, then the segment lengths, then the coda where it is

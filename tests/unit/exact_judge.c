@@ -191,25 +191,6 @@ static void test_rays(struct random *random)
           "largest difference %.3g, allowed %.3g", largest, TOLERANCE);
 }
 
-/* A coordinate that all vertices share is that one everywhere, to the last bit. */
-static void test_constant(void)
-{
-    const struct vertex v[3] = {
-        {3.25f, 1.5f, 1.7f, 0.1f, -7.3f}, {60.5f, 9, 3.1f, 0.1f, 8}, {11, 50.75f, 9.3f, 0.1f, 90}};
-    struct exact_triangle triangle;
-    int wrong = 0;
-
-    exact_setup(&triangle, v);
-    for (int y = triangle.first_row; y < triangle.end_row; y++) {
-        int first, end;
-        exact_row(&triangle, y, FRAME_SIDE_MAX, &first, &end);
-        for (int x = first; x < end; x++) {
-            wrong += exact_at(&triangle, x, y).u != (double)0.1f;
-        }
-    }
-    check(wrong == 0, "a constant u stays what it is", "%d pixels differ", wrong);
-}
-
 void test_exact_judge(void)
 {
     struct random random = random_start(0x3A);
@@ -219,5 +200,4 @@ void test_exact_judge(void)
     check(agree_in_frames(&random, FRAME_SIDE_MAX, LARGE_TRIANGLES, 15),
           "exact coverage, large frames along all edges", "see above");
     test_rays(&random);
-    test_constant();
 }
