@@ -159,7 +159,7 @@ bool file_possible(const char *path, struct error *error)
 {
     struct stat status;
 
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
         return true; /* a pipe is opened once only */
     }
     FILE *file = file_create(path, error);

@@ -94,6 +94,7 @@ static enum outcome run(const struct options *options, struct error *error)
          error_set(error, "--csv: no commas or quotes in the name %s", source.name)) &&
         (!csv || file_possible(csv, error)) &&
         accuracy_measure(&source, chosen, count, accuracy, show_progress, error);
+    progress(NULL, 0);
     if (done) {
         print_table(&source, chosen, count, accuracy);
     }

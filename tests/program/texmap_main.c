@@ -114,7 +114,8 @@ int main(int argc, char **argv)
         print_usage(stderr);
         return OUTCOME_FAILED;
     }
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is then a write error like any other */
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe, or too large a file, is then a write error */
+    signal(SIGXFSZ, SIG_IGN);
     const enum outcome outcome = run(argv + 1, &error);
     if (outcome == OUTCOME_FAILED) {
         print_error(&error);

@@ -202,7 +202,7 @@ printf 'P3\n1 1\n255\n1 2 3\n' > text.ppm
 printf 'P6\n3 1\n255\n123456789' > odd.ppm
 printf 'P6\n2 2\n255\n12345678901' > short.ppm
 printf 'a,b\n1,2\n' > columns.csv
-mkdir folder folder.ppm
+mkdir -p folder folder.ppm index/index.html
 
 refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene wall' 'help >&-' \
     'help > /dev/full' \
@@ -213,7 +213,7 @@ refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene 
     'scene --triangles four.tri -o out.tri' 'bench --frame 1' 'bench --triangles good.tri' \
     'bench --scene none' 'bench --stage none' 'chart columns.csv -o out.svg' 'chart -o out.svg' \
     'chart missing.csv -o out.svg' 'chart columns.csv -o out.png' 'trace --stage 5 --scene wall' \
-    'diff --scene wall' 'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report' \
+    'report -o index' 'diff --scene wall' 'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report' \
     'report -o good.tri/out'
 refused 'render --stage 1 --scene wall --size 8x8 -o out.ppm' --nosuch '--nosuch 1' --scene=wall \
     -x extra '--stages 1,2' '--stage 1' '--scene wall' '--size 8x8' '-o out.png' \

@@ -4,6 +4,7 @@
  * whose coordinates take all places between two texels, and between two steps of the ruler: 64
  * slopes have the fractions .618 and .382 of the golden ratio. */
 #include <math.h>
+#include <time.h>
 #include "tests/exact/accuracy.h"
 #include "tests/exact/exact.h"
 #include "tests/unit/check.h"
@@ -15,6 +16,7 @@
 #define SLOPE_V 0.52159f
 #define LOW 2 /* the square's pixels: LOW..HIGH-1, both ways */
 #define HIGH 62
+#define MANY 20000 /* triangles */
 #define PIXELS ((HIGH - LOW) * (HIGH - LOW))
 
 /* How a rasterizer finds a texel's index from a coordinate at pixel (x, y). */
@@ -297,6 +299,37 @@ static void test_surfaces(void)
     triangle_list_destroy(&list);
 }
 
+/* Seconds of processor time to find the surfaces of many triangles, in one place or in many. */
+static double time_surfaces(float step)
+{
+    struct triangle_list list = {0};
+    struct surfaces surfaces = {0};
+
+    for (int i = 0; i < MANY; i++) {
+        const float x = (float)i * step, z = 1 + (float)i / MANY;
+        triangle_list_add(
+            &list, &(struct triangle){{{x, 0, z, 0, 0}, {x + 9, 0, z, 9, 0}, {x, 9, z, 0, 9}},
+                                      TEXTURE_COORD});
+    }
+    const clock_t start = clock();
+    const bool found = surfaces_find(&surfaces, &list);
+    const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    check(found && surfaces.of[MANY - 1] == MANY - 1, "triangles that share x and y alone are apart",
+          "in %d triangles", MANY);
+    surfaces_destroy(&surfaces);
+    triangle_list_destroy(&list);
+    return seconds;
+}
+
+/* Were they compared one by one, it would take a hundred times as long. */
+static void test_one_place(void)
+{
+    const double apart = time_surfaces(1.0f / 16), together = time_surfaces(0);
+
+    check(together < 0.1 + 10 * apart, "many triangles in one place take no longer than elsewhere",
+          "%g s, elsewhere %g s", together, apart);
+}
+
 void test_exact_accuracy(void)
 {
     test_exact_itself();
@@ -306,4 +339,5 @@ void test_exact_accuracy(void)
     test_silhouette();
     test_grid();
     test_surfaces();
+    test_one_place();
 }

@@ -24,7 +24,7 @@ chart in.csv -o OUT.svg
 scene $wall -o OUT.tri"
 prints="diff --stages 1,2 $wall -o OUT.png
 accuracy --stage all --triangles in.tri --size 64x48 --csv OUT.csv
-bench --scene all --size 64x48 --seconds 1 --csv OUT.csv"
+bench --scene room --size 64x48 --seconds 1 --csv OUT.csv"
 
 # result NAME: passed, where the variable `why` is empty.
 result() {
@@ -66,6 +66,9 @@ fails 'a limit on the size of files: outputs stay as they were' 'cannot be writt
     "$writes
 $prints" 'ulimit -f 0;' ''
 fails 'standard output that fails: no file is written' 'standard output' "$prints" '' '> /dev/full'
+text=$( (ulimit -f 0; exec "$texmap" help) 2>&1 > out/new)
+case $?$text in '2texmap: standard output: '*) ;; *) why=$text ;; esac
+result 'a limit on the size of files: standard output'
 if mount -t tmpfs -o size=64k none out 2> /dev/null; then
     fails 'a full disk: outputs stay as they were' 'cannot be written' "$writes
 $prints" 'cat /dev/zero > out/fill 2> /dev/null;' ''
