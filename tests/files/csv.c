@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "tests/files/csv.h"
 
 #include <errno.h>
@@ -6,88 +7,73 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The next line, cut off from `*rest`; NULL at the end. Nothing follows the last newline. */
-static char *next_line(char **rest)
+#define BYTE_ORDER_MARK "\xEF\xBB\xBF" /* some editors begin a file with it */
+
+/* What stands before the next `mark`, cut off from `*rest`; NULL when nothing is left. */
+static char *cut(char **rest, char mark)
 {
-    char *line = *rest;
-    if (*line == '\0') {
-        return NULL;
+    char *text = *rest, *end = text ? strchr(text, mark) : NULL;
+
+    *rest = end ? end + 1 : NULL;
+    if (end) {
+        *end = '\0';
     }
-    char *end = line + strcspn(line, "\n");
-    *rest = *end == '\n' ? end + 1 : end;
-    if (end > line && end[-1] == '\r') {
-        end--; /* as Windows ends a line */
-    }
-    *end = '\0';
-    return line;
+    return text;
 }
 
-/* Cuts a line at its commas, appends the fields to `fields` and returns how many there are. */
-static size_t split_fields(char *line, char **fields)
+/* Comments, then the header, then rows: `line` counts from 1. */
+static bool take_line(struct csv *csv, char *line, struct error *error)
 {
+    char **fields = csv->columns + csv->column_count * (csv->row_count + 1);
     size_t count = 0;
-    for (;;) {
-        fields[count++] = line;
-        char *comma = strchr(line, ',');
-        if (!comma) {
-            return count;
-        }
-        *comma = '\0';
-        line = comma + 1;
-    }
-}
 
-static char *parse_comments(char **rest, struct csv *csv)
-{
-    char *line;
-    csv->header_line = 1;
-    while ((line = next_line(rest)) && line[0] == '#') {
+    if (csv->column_count == 0 && line[0] == '#') {
         csv->comments[csv->comment_count++] = line + 1 + strspn(line + 1, " ");
         csv->header_line++;
+        return true;
     }
-    return line;
-}
-
-static bool parse_rows(char *rest, struct csv *csv, struct error *error)
-{
-    char *line = parse_comments(&rest, csv);
-    if (!line || line[0] == '\0') {
+    if (csv->column_count == 0 && line[0] == '\0') {
         return error_set(error, "%s:%d: no header line", csv->path, csv->header_line);
     }
-    csv->column_count = split_fields(line, csv->columns);
-    csv->fields = csv->columns + csv->column_count;
-    while ((line = next_line(&rest))) {
-        size_t count = split_fields(line, csv->fields + csv->row_count * csv->column_count);
-        if (count != csv->column_count) {
-            return error_set(error, "%s:%d: %zu fields, the header has %zu", csv->path,
-                             csv_line(csv, csv->row_count), count, csv->column_count);
-        }
-        csv->row_count++;
+    for (char *field; (field = cut(&line, ','));) {
+        fields[count++] = field;
     }
-    return true;
+    if (csv->column_count == 0) {
+        csv->column_count = count;
+        csv->fields = csv->columns + count;
+        return true;
+    }
+    return count == csv->column_count
+               ? ++csv->row_count
+               : error_set(error, "%s:%d: %zu fields, the header has %zu", csv->path,
+                           csv_line(csv, csv->row_count), count, csv->column_count);
 }
 
 bool csv_parse(const char *path, const char *text, struct csv *csv, struct error *error)
 {
-    size_t size = strlen(text), lines = 1, cells = 1;
-    for (size_t i = 0; i < size; i++) {
-        lines += text[i] == '\n';
-        cells += text[i] == '\n' || text[i] == ',';
+    size_t cells = 1;
+    bool ok = true;
+
+    for (const char *c = text; *c; c++) {
+        cells += *c == '\n' || *c == ',';
     }
-    *csv = (struct csv){
-        .path = path,
-        .text = malloc(size + 1),
-        .comments = calloc(lines, sizeof *csv->comments),
-        .columns = calloc(cells, sizeof *csv->columns),
-    };
-    bool ok = false;
+    text += strncmp(text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0 ? 3 : 0;
+    *csv = (struct csv){.path = path, .header_line = 1, .text = strdup(text),
+                        .comments = calloc(cells, sizeof *csv->comments),
+                        .columns = calloc(cells, sizeof *csv->columns)};
     if (!csv->text || !csv->comments || !csv->columns) {
-        error_set(error, "%s: no memory", path);
-    } else {
-        const char *byte_order_mark = "\xEF\xBB\xBF";
-        const size_t skip = strncmp(text, byte_order_mark, 3) == 0 ? 3 : 0;
-        memcpy(csv->text, text + skip, size + 1 - skip);
-        ok = parse_rows(csv->text, csv, error);
+        ok = error_set(error, "%s: no memory", path);
+    }
+    /* Nothing follows the last newline. */
+    for (char *line, *rest = csv->text; ok && (line = cut(&rest, '\n')) && (rest || *line);) {
+        const size_t length = strlen(line);
+        if (length > 0 && line[length - 1] == '\r') {
+            line[length - 1] = '\0'; /* as Windows ends a line */
+        }
+        ok = take_line(csv, line, error);
+    }
+    if (ok && csv->column_count == 0) {
+        ok = error_set(error, "%s:%d: no header line", path, csv->header_line);
     }
     if (!ok) {
         csv_destroy(csv);
@@ -95,34 +81,28 @@ bool csv_parse(const char *path, const char *text, struct csv *csv, struct error
     return ok;
 }
 
-static bool read_text(FILE *file, const char *path, char *text, struct error *error)
-{
-    errno = 0;
-    size_t size = fread(text, 1, CSV_SIZE_MAX + 1, file);
-    if (ferror(file)) {
-        return error_set(error, "%s: %s", path, strerror(errno));
-    }
-    if (size > CSV_SIZE_MAX) {
-        return error_set(error, "%s: longer than %d bytes", path, CSV_SIZE_MAX);
-    }
-    text[size] = '\0';
-    if (strlen(text) != size) {
-        return error_set(error, "%s: not a text file", path);
-    }
-    return true;
-}
-
 bool csv_read(const char *path, struct csv *csv, struct error *error)
 {
     FILE *file = fopen(path, "rb");
-    if (!file) {
-        return error_set(error, "%s: %s", path, strerror(errno));
+    char *text = file ? malloc(CSV_SIZE_MAX + 2) : NULL;
+    size_t size = text ? fread(text, 1, CSV_SIZE_MAX + 1, file) : 0;
+    bool ok = false;
+
+    if (!file || (text && ferror(file))) {
+        error_set(error, "%s: %s", path, strerror(errno));
+    } else if (!text) {
+        error_set(error, "%s: no memory", path);
+    } else if (size > CSV_SIZE_MAX) {
+        error_set(error, "%s: longer than %d bytes", path, CSV_SIZE_MAX);
+    } else if (memchr(text, '\0', size)) {
+        error_set(error, "%s: not a text file", path);
+    } else {
+        text[size] = '\0';
+        ok = csv_parse(path, text, csv, error);
     }
-    char *text = malloc(CSV_SIZE_MAX + 2);
-    bool ok = text ? read_text(file, path, text, error)
-                           : error_set(error, "%s: no memory", path);
-    fclose(file);
-    ok = ok && csv_parse(path, text, csv, error);
+    if (file) {
+        fclose(file);
+    }
     free(text);
     return ok;
 }
