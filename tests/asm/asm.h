@@ -12,7 +12,8 @@
 #define ASM_TEXT 1024
 #define ASM_NAME 160
 
-/* Does stage5_draw_segments keep this promise, in about `segments` segments? If not, `text` says where. */
+/* Does stage5_draw_segments keep this promise, in about `segments` segments? If not, `text` says
+ * where. */
 struct asm_check {
     const char *name;
     bool (*holds)(long segments, char text[ASM_TEXT]);
@@ -54,8 +55,8 @@ bool guarded_call(void (*call)(void *context), void *context, const void **addre
 /* Texels that are all different, and different for another key. */
 void texture_fill(const struct image *texture, uint32_t key);
 
-/* Stage 4's segment: `count` pixels from where 1/z, u/z and v/z are `at`, to `length` pixels on. The
- * gradients are stage 4's, and stage 5's, which are the same. */
+/* Stage 4's segment: `count` pixels from where 1/z, u/z and v/z are `at`, to `length` pixels on.
+ * The gradients are stage 4's, and stage 5's, which are the same. */
 struct gradients;
 void asm_twin_segment(uint32_t *pixels, int count, const double at[3], int length,
                       const struct image *texture, const struct gradients *g);

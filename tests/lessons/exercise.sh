@@ -1,8 +1,8 @@
 #!/bin/sh
 # tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies
-# the starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then, and
-# never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. Exit status 0:
-# it passes; 1: it does not yet; 2: bad usage, or it does not compile.
+# the starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then,
+# and never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. Exit
+# status 0: it passes; 1: it does not yet; 2: bad usage, or it does not compile.
 #
 # tests/lessons/exercise.sh BUILD prove OBJECT...: does the judge fail each starting point, and pass
 # each solution? For both a line; exit status 1 where it does not.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # tests/lessons/pictures.sh TEXMAP [--check]: draws the lessons' pictures, as `make pictures` does;
-# with --check compares them with those that are there: a line `ok FILE` or `FAIL FILE: why` for each.
+# with --check compares them with those that are there: a line `ok FILE` or `FAIL FILE: why` each.
 # Exit status 2: one could not be drawn. Runs from the repository's root.
 
 texmap=$1

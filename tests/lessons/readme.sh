@@ -8,8 +8,8 @@
 #
 # With --check nothing is written, and each line is a test, `ok NAME` or `FAIL NAME: why`: blocks
 # are what their commands print; a number in the text with a unit of something measured stands,
-# rounded, in one of the file's blocks, or in a comment `<!-- given: NUMBERS -->` where it is not from here;
-# links lead somewhere; no text is longer than agreed. TEXMAP_BUILD is where texmap is.
+# rounded, in one of the file's blocks, or in a comment `<!-- given: NUMBERS -->` where it is not
+# from here; links lead somewhere; no text is longer than agreed. TEXMAP_BUILD is where texmap is.
 
 results=tests/results/bench.csv
 cases=tests/results/stability.csv
@@ -138,7 +138,7 @@ stability() {
                 printf "\n| %s |", rows[k]
                 for (i = 1; i <= column_count; i++) printf " %s |", cell[rows[k], columns[i]]
             }
-            print "\n\n**Bold**: the method fails there, by that much; `make test` holds it to that."
+            print "\n\n**Bold**: the method fails there, by that much; `make test` holds it to it."
         }' $cases
 }
 

@@ -1,6 +1,6 @@
 /* build/torture [--seed S] [--first K] [--count N]: random triangles through every stage, each held
- * to what it is promised (tests/judge/). Exit status 0: all held; 1: one did not, it is printed as a
- * .tri file; 2: bad usage. */
+ * to what it is promised (tests/judge/). Exit status 0: all held; 1: one did not, it is printed as
+ * a .tri file; 2: bad usage. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>

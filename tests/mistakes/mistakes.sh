@@ -1,14 +1,14 @@
 #!/bin/sh
-# tests/mistakes/mistakes.sh [NAME...]: do the tests find mistakes? Each tests/mistakes/NAME.sed puts one
-# into a copy of a source file; build/test is then linked with that in front of the libraries, so in
-# place of their own, and one group is run, in which the test that the mistake names must fail.
-# Prints `ok NAME`, `FAIL NAME: why` or `SKIP NAME: why`.
+# tests/mistakes/mistakes.sh [NAME...]: do the tests find mistakes? Each tests/mistakes/NAME.sed
+# puts one into a copy of a source file; build/test is then linked with that in front of the
+# libraries, so in place of their own, and one group is run, in which the test that the mistake
+# names must fail. Prints `ok NAME`, `FAIL NAME: why` or `SKIP NAME: why`.
 #
-# The first line of a mistake is `# FILE: GROUP: the test that must fail`. What does not begin with #
-# is a sed command on one line; a command that changes nothing is an error. Of a stage the group is
-# run with TEXMAP_STAGE, for that stage alone.
-# Where that test is `nothing is undefined`, the file is built with checks of casts and divisions that
-# end the program, which must happen; and must not without the mistake.
+# The first line of a mistake is `# FILE: GROUP: the test that must fail`. What does not begin with
+# # is a sed command on one line; a command that changes nothing is an error. Of a stage the group
+# is run with TEXMAP_STAGE, for that stage alone.
+# Where that test is `nothing is undefined`, the file is built with checks of casts and divisions
+# that end the program, which must happen; and must not without the mistake.
 # TEXMAP_BUILD is where the program and the libraries are; `flags` there says how to compile.
 
 build=${TEXMAP_BUILD:-build}

@@ -156,5 +156,5 @@ const struct command command_bench = {
     "Stages take turns in each round; of all rounds the minimum and the median count. A stage\n"
     "whose frame is wrong is not timed (exit status 1). all, the default: every stage and segment\n"
     "length. Accuracy is measured first; however few the seconds, one round is run.",
-    OPTION_STAGE_OR_EVERY | OPTION_SCENE_OR_ALL | OPTION_SIZE_BENCH | OPTION_CSV | OPTION_SECONDS, 0,
-    run};
+    OPTION_STAGE_OR_EVERY | OPTION_SCENE_OR_ALL | OPTION_SIZE_BENCH | OPTION_CSV | OPTION_SECONDS,
+    0, run};

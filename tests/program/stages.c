@@ -27,7 +27,8 @@ static struct stage table[] = {
      .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION},
 #ifdef TEXMAP_STAGE5
     {"stage5_asm", "5", stage5_draw_triangle, NULL, SUBDIVIDED,
-     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION, .twin = "stage4_subdivide"},
+     .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION,
+     .twin = "stage4_subdivide"},
 #endif
     {"segment_4", NULL, segment_4_draw_triangle, NULL, SUBDIVIDED,
      .segment_length = 4, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},

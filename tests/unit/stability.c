@@ -93,7 +93,7 @@ static void test_bound(void)
     struct error error;
     const struct curve *curve = curve_measure("steepness", &error);
 
-    if (!check(curve != NULL, "the curve of steepness is measured", "%s", error.text)) {
+    if (!check(curve, "the curve of steepness is measured", "%s", error.text)) {
         return;
     }
     for (int i = 0; i < curve->count; i += 2) {
