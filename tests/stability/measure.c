@@ -133,21 +133,33 @@ static struct hits hits_of(const struct tally *tallies, size_t pixels)
     return hits;
 }
 
+static double number_at(const void *numbers, size_t offset)
+{
+    double number;
+
+    memcpy(&number, (const char *)numbers + offset, sizeof number);
+    return number;
+}
+
 /* Draws triangle by triangle, each into a clear frame. */
-static bool measure_hits(struct source *source, const struct stage *stage, struct hits *hits)
+static bool measure_hits(const struct measure *measure, const struct source *source,
+                         const struct stability_stages *chosen, double *values)
 {
     const size_t pixels = (size_t)source->size.width * (size_t)source->size.height;
-    struct tally *tallies = calloc(pixels, sizeof *tallies);
+    struct tally *tallies = malloc(pixels * sizeof *tallies);
     struct image frame = {0}, texture = {0};
     const bool memory = tallies && texture_create(&texture, TEXTURE_COORD) &&
                         image_create(&frame, source->size.width, source->size.height);
 
-    for (size_t i = 0; memory && i < source->triangles.count; i++) {
-        stage->draw(&frame, &texture, source->triangles.items[i].v);
-        count_triangle(&frame, source->triangles.items[i].v, tallies);
-    }
-    if (memory) {
-        *hits = hits_of(tallies, pixels);
+    for (int i = 0; memory && i < chosen->count; i++) {
+        memset(tallies, 0, pixels * sizeof *tallies);
+        for (size_t k = 0; k < source->triangles.count; k++) {
+            const struct vertex *v = source->triangles.items[k].v;
+            chosen->items[i]->draw(&frame, &texture, v);
+            count_triangle(&frame, v, tallies);
+        }
+        const struct hits hits = hits_of(tallies, pixels);
+        values[i] = number_at(&hits, measure->offset);
     }
     image_destroy(&frame);
     image_destroy(&texture);
@@ -196,29 +208,35 @@ static bool measure_neighbours(struct meter *meter, const struct source *source,
     return true;
 }
 
-static double number_at(const void *numbers, size_t offset)
-{
-    double number;
-
-    memcpy(&number, (const char *)numbers + offset, sizeof number);
-    return number;
-}
-
-static bool measure_stage(const struct measure *measure, struct meter *meter,
-                          struct source *source, const struct stage *stage, double *value)
+static bool measure_accuracy(const struct measure *measure, struct meter *meter,
+                             const struct source *source, const struct stage *stage, double *value)
 {
     struct accuracy accuracy;
-    struct hits hits;
-    bool memory = false;
+    const bool memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
 
-    if (measure->kind == BY_HITS) {
-        memory = measure_hits(source, stage, &hits);
-        *value = memory ? number_at(&hits, measure->offset) : NAN;
-    } else if (measure->kind == BY_NEIGHBOURS) {
-        memory = measure_neighbours(meter, source, stage, value);
-    } else {
-        memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
-        *value = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset) : NAN;
+    *value = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset) : NAN;
+    return memory;
+}
+
+/* All but BY_HITS, with the meter. */
+static bool measure_with(struct meter *meter, const struct measure *measure, struct source *source,
+                         const struct stability_stages *chosen, double *values, struct error *error)
+{
+    double jitter[STABILITY_STAGES + 1];
+    bool memory = true;
+
+    if (measure->kind == BY_JITTER) {
+        memory = jitter_measure(meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
+                                error);
+    }
+    for (int i = 0; memory && i < chosen->count; i++) {
+        if (measure->kind == BY_JITTER) {
+            values[i] = jitter[i];
+        } else if (measure->kind == BY_NEIGHBOURS) {
+            memory = measure_neighbours(meter, source, chosen->items[i], &values[i]);
+        } else {
+            memory = measure_accuracy(measure, meter, source, chosen->items[i], &values[i]);
+        }
     }
     return memory;
 }
@@ -227,22 +245,13 @@ bool measure_source(const struct measure *measure, struct source *source,
                     const struct stability_stages *chosen, double values[STABILITY_STAGES],
                     struct error *error)
 {
-    double jitter[STABILITY_STAGES + 1];
     struct meter meter = {0};
-    bool done = measure->kind == BY_HITS ||
-                meter_create(&meter, source->size.width, source->size.height);
+    const bool memory =
+        measure->kind == BY_HITS
+            ? measure_hits(measure, source, chosen, values)
+            : meter_create(&meter, source->size.width, source->size.height) &&
+                  measure_with(&meter, measure, source, chosen, values, error);
 
-    if (done && measure->kind == BY_JITTER) {
-        done = jitter_measure(&meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
-                              error);
-    }
-    for (int i = 0; done && i < chosen->count; i++) {
-        if (measure->kind == BY_JITTER) {
-            values[i] = jitter[i];
-        } else {
-            done = measure_stage(measure, &meter, source, chosen->items[i], &values[i]);
-        }
-    }
     meter_destroy(&meter);
-    return done || error_set(error, "%s: no memory to measure it", source->name);
+    return memory || error_set(error, "%s: no memory to measure it", source->name);
 }
