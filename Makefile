@@ -19,7 +19,7 @@ STAGES += stage5_asm
 KEPT += -DTEXMAP_STAGE5
 endif
 SEGMENTS = 4 8 32 64 span
-TRACED = 1 2 3 4
+TRACED = $(foreach stage,$(STAGES),$(patsubst stage%,%,$(firstword $(subst _, ,$(stage)))))
 
 # Two libraries: what the program is made of, and what only tests use. A program is its main file,
 # tests/FOLDER/NAME_main.c for build/NAME, linked with them.
@@ -28,7 +28,8 @@ OBJECTS_OF = $(patsubst %,$(BUILD)/%.o,$(filter-out $(MAINS:.c=),$(patsubst %.c,
 FOLDERS = common $(STAGES) \
 	$(addprefix tests/,program exact judge files bench chart trace stability page)
 LIBRARY = $(call OBJECTS_OF,$(wildcard $(FOLDERS:%=%/*.c) $(STAGES:%=%/*.S))) $(BUILD)/page.o \
-	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o)
+	$(SEGMENTS:%=$(BUILD)/stage4_subdivide/segment_%.o) $(TRACED:%=$(BUILD)/trace/stage%.o) \
+	$(if $(filter stage5_asm,$(STAGES)),$(BUILD)/trace/span.o)
 TESTS = $(call OBJECTS_OF,$(wildcard tests/unit/*.c tests/asm/*.c \
 	$(if $(filter stage5_asm,$(STAGES)),tests/asm/*.S)))
 EXERCISES = $(call OBJECTS_OF,$(wildcard tests/lessons/exercises/*.c))
@@ -126,7 +127,16 @@ $(BUILD)/stage4_subdivide/segment_%.o: stage4_subdivide/rasterize.c $(BUILD)/fla
 # The stages again, for `texmap trace`: there the macros of common/trace.h have a meaning.
 $(BUILD)/trace/stage%.o: $$(wildcard stage$$*_*/rasterize.c) $(BUILD)/flags
 	$(call compile,-DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$* \
-		-Dstage$*_draw_triangle=trace$*_draw_triangle)
+		-Dstage$*_draw_triangle=trace$*_draw_triangle \
+		-Dstage5_draw_segments=stage5_draw_segments_in_steps)
+
+# Which line of span.S each of its instructions comes from.
+$(BUILD)/trace/span.S: tests/trace/lines.awk stage5_asm/span.S
+	@mkdir -p $(@D)
+	@awk -v routine=stage5_draw_segments -f $^ > $@
+
+$(BUILD)/trace/span.o: $(BUILD)/trace/span.S $(BUILD)/flags
+	$(compile)
 
 # The page of `texmap report`: its files as one C file, and stages 1 to 4 as WebAssembly, made anew
 # where clang and wasm-ld are.

@@ -6,7 +6,7 @@
 
 /* Stages 1 to 4 once more, built for `texmap trace`. */
 draw_triangle trace1_draw_triangle, trace2_draw_triangle, trace3_draw_triangle,
-    trace4_draw_triangle;
+    trace4_draw_triangle, trace5_draw_triangle;
 /* Stage 4's source built with another SEGMENT_LENGTH; segment_span: one segment a span. */
 draw_triangle segment_4_draw_triangle, segment_8_draw_triangle, segment_32_draw_triangle,
     segment_64_draw_triangle, segment_span_draw_triangle;
@@ -26,7 +26,7 @@ static struct stage table[] = {
     {"stage4_subdivide", "4", stage4_draw_triangle, trace4_draw_triangle, SUBDIVIDED,
      .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION},
 #ifdef TEXMAP_STAGE5
-    {"stage5_asm", "5", stage5_draw_triangle, NULL, SUBDIVIDED,
+    {"stage5_asm", "5", stage5_draw_triangle, trace5_draw_triangle, SUBDIVIDED,
      .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION,
      .twin = "stage4_subdivide"},
 #endif

@@ -42,11 +42,14 @@ static bool trace_source(const struct source *source, const struct stage *stage,
                         source->size.height, trace)) {
         return error_set(error, "trace: no memory");
     }
-    if (!choose_row(trace, options, error)) {
-        trace_destroy(trace);
-        return false;
+    bool done = choose_row(trace, options, error);
+    if (done && !trace_steps(trace)) {
+        done = error_set(error, "trace: no memory");
     }
-    return true;
+    if (!done) {
+        trace_destroy(trace);
+    }
+    return done;
 }
 
 /* To standard output where the path is -; main() looks whether that arrived. */
@@ -100,8 +103,8 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_trace = {
     "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE | --json FILE]",
-    "Shows what a stage, 1 to 4, computed for one triangle: along its edges and in its pixels,\n"
-    "with the exact answer beside them. With --csv or --json there, in place of the table;\n"
+    "Shows what a stage, 1 to 5, computed for one triangle: along its edges and in its pixels,\n"
+    "with the exact answer beside them; of stage 5 each instruction of its assembly. With --csv or --json there, in place of the table;\n"
     "FILE - is standard output.",
     OPTION_STAGE_TRACED | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV | OPTION_JSON,
     OPTION_STAGE_TRACED, run};

@@ -11,7 +11,8 @@
 bool trace_available(const struct stage *stage, const char *option, struct error *error)
 {
     if (stage->traced) {
-        return true;
+        const char *missing = strcmp(stage->name, "stage5_asm") == 0 ? steps_missing() : NULL;
+        return !missing || error_set(error, "%s %s: %s", option, stage->name, missing);
     }
     if (strcmp(stage->name, "exact") == 0) {
         return error_set(error, "%s exact: not traceable: it is no stage; its answer stands "
@@ -21,7 +22,7 @@ bool trace_available(const struct stage *stage, const char *option, struct error
         return error_set(error, "%s %s: not traceable: of stage 4, only the one with 16 pixels a "
                                 "segment is", option, stage->name);
     }
-    return error_set(error, "%s %s: not traceable: its inner loop is assembly; stages 1 to 4 are",
+    return error_set(error, "%s %s: not traceable: stages 1 to 5 are",
                      option, stage->name);
 }
 
@@ -96,6 +97,31 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
         trace_destroy(trace);
     }
     return done;
+}
+
+bool trace_steps(struct trace *trace)
+{
+    struct image numbers = {0};
+
+    if (strcmp(trace->stage->name, "stage5_asm") != 0) {
+        return true;
+    }
+    if (!image_create(&numbers, trace->texture.width, trace->texture.height)) {
+        return false;
+    }
+    number_texels(&numbers);
+    const uint32_t *pixels = trace->frame.pixels;
+    const int first_row = trace->row == TRACE_ALL_ROWS ? 0 : trace->row;
+    const int rows = trace->row == TRACE_ALL_ROWS ? trace->frame.height : 1;
+    trace_recorder = (struct trace_recorder){0};
+    steps_record(&trace->steps, pixels + first_row * trace->frame.stride,
+                 pixels + (first_row + rows) * trace->frame.stride);
+    for (int i = 0; i < trace->piece_count; i++) {
+        trace->stage->traced(&trace->frame, &numbers, trace->clipped[i]);
+    }
+    steps_record(NULL, NULL, NULL);
+    image_destroy(&numbers);
+    return !trace->steps.no_memory;
 }
 
 bool trace_keep_row(struct trace *trace, int y, int *first, int *last)
@@ -183,5 +209,6 @@ void trace_destroy(struct trace *trace)
     image_destroy(&trace->frame);
     image_destroy(&trace->exact_frame);
     free(trace->events);
+    steps_destroy(&trace->steps);
     *trace = (struct trace){0};
 }

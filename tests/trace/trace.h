@@ -10,6 +10,7 @@
 #include "tests/exact/exact.h"
 #include "tests/program/stages.h"
 #include "tests/trace/recorder.h"
+#include "tests/trace/steps.h"
 
 #define TRACE_PIECES 7 /* what clipping leaves of a triangle, at most */
 #define TRACE_ALL_ROWS (-1)
@@ -23,6 +24,7 @@ struct trace {
     int row; /* the only one that is written, or TRACE_ALL_ROWS */
     struct trace_event *events;
     int event_count;
+    struct steps steps; /* stage 5, after trace_steps() */
     struct image frame, exact_frame; /* each pixel its texel's index + 1, or 0 */
     struct image texture;            /* no pixels: its size */
 };
@@ -47,6 +49,10 @@ bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
  * first and the last that it did are in *first and *last; *first > *last where there is none. */
 bool trace_keep_row(struct trace *trace, int y, int *first, int *last);
 
+/* Stage 5: its assembly, one instruction at a time, in all calls that draw a pixel of the row that
+ * is written. False when there is no memory. Other stages have no steps. */
+bool trace_steps(struct trace *trace);
+
 /* A pixel event's column, and texel. */
 int trace_x(const struct trace *trace, const struct trace_event *pixel);
 
@@ -63,6 +69,10 @@ void trace_write_json(FILE *file, const struct trace *trace);
 
 /* A line for each edge, span, segment and pixel; the column `record` says which of them. */
 void trace_write_csv(FILE *file, const struct trace *trace);
+
+/* The same of the steps, behind `columns` columns that they do not have; and their table. */
+void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns);
+void trace_write_steps_table(FILE *file, const struct trace *trace);
 
 /* For people: a `*` behind the pixels whose texel is not right. */
 void trace_write_table(FILE *file, const struct trace *trace);

@@ -278,8 +278,17 @@ static void csv_event(FILE *file, const struct trace *trace, const struct row *r
             write_number(file, values[i]);
         }
     }
-    fputs("\n", file);
+    fputs(trace->steps.items ? ",,,,,,,,,\n" : "\n", file);
 }
+
+static void count_name(void *context, const char *name, size_t length)
+{
+    (void)name, (void)length;
+    ++*(int *)context;
+}
+
+/* Behind the others where stage 5's assembly was stepped through. */
+#define STEP_COLUMNS ",call,group,part,register,meaning,lane_0,lane_1,lane_2,lane_3"
 
 void trace_write_csv(FILE *file, const struct trace *trace)
 {
@@ -289,7 +298,8 @@ void trace_write_csv(FILE *file, const struct trace *trace)
 
     fprintf(file, "# %s\nrecord,line,row,x", trace->stage->name);
     each_name(TRACE_KINDS, csv_named, &names);
-    fputs(",exact_z,exact_u,exact_v,exact_texel_u,exact_texel_v\n", file);
+    fputs(",exact_z,exact_u,exact_v,exact_texel_u,exact_texel_v", file);
+    fputs(trace->steps.items ? STEP_COLUMNS "\n" : "\n", file);
     while (next_row(trace, &row, seen)) {
         csv_event(file, trace, &row, "left", row.edges[0]);
         csv_event(file, trace, &row, "right", row.edges[1]);
@@ -297,6 +307,9 @@ void trace_write_csv(FILE *file, const struct trace *trace)
             csv_event(file, trace, &row, records[event->kind], event);
         }
     }
+    int columns = EXACT_VALUES + 1;
+    each_name(TRACE_KINDS, count_name, &columns);
+    trace_write_steps_csv(file, trace, columns);
 }
 
 /* What the table calls some of the names; the others stay as they are. */
@@ -437,5 +450,8 @@ void trace_write_table(FILE *file, const struct trace *trace)
     }
     while (next_row(trace, &row, seen)) {
         print_row(file, trace, &row);
+    }
+    if (trace->steps.items) {
+        trace_write_steps_table(file, trace);
     }
 }

@@ -254,6 +254,7 @@ void test_trace(void)
         test_trace_triangle(&random, &triangle);
         test_one(&stages[i % 4], &triangle, &texture, i);
     }
+    test_trace_steps(&random, &texture);
     image_destroy(&texture);
     test_trace_files();
     test_trace_cli();

@@ -12,4 +12,8 @@ void test_trace_triangle(struct random *random, struct triangle *triangle);
 void test_trace_files(void);
 void test_trace_cli(void);
 
+/* The steps of stage 5's assembly. */
+struct image;
+void test_trace_steps(struct random *random, const struct image *texture);
+
 #endif

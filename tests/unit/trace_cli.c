@@ -21,9 +21,6 @@ static const struct {
 } refused[] = {
     {"trace " SOURCE, "--stage"},
     {"trace --stage 1", "--scene"},
-#ifdef TEXMAP_STAGE5
-    {"trace --stage 5 " SOURCE, "assembly"},
-#endif
     {"trace --stage exact " SOURCE, "no stage"},
     {"trace --stage segment_8 " SOURCE, "not traceable"},
     {"trace --stage 6 " SOURCE, "no such stage"},

@@ -1,0 +1,62 @@
+/* Stage 5's assembly, run one instruction at a time: which source line each comes from, and what it
+ * left in which register. It is the routine itself that runs: the processor's trap flag stops after
+ * every instruction, and a signal handler reads the registers. For x86-64 Linux. */
+#ifndef TESTS_STEPS_H
+#define TESTS_STEPS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define STEPS_LANES 4
+#define STEPS_REGISTERS 32 /* 16 general ones, rax rcx rdx rbx rsp rbp rsi rdi r8 to r15; xmm0 to 15 */
+
+struct step {
+    int line;     /* of stage5_asm/span.S */
+    int call;     /* of the routine, counted from 0 */
+    int group;    /* of four segments, counted from 0 in each call */
+    bool drawing; /* its pixels; before that, where its segments start and how they step */
+    int reg;      /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
+    int lane, pixel; /* a store into the frame: the lane's pixel, counted from 0; else lane is -1 */
+    union {
+        uint64_t general;
+        float floats[4];
+        double doubles[2];
+        int32_t integers[4];
+    } value;
+};
+
+/* What a lane draws: `count` pixels from `pixels` on. Lanes without a segment repeat the last. */
+struct step_segment {
+    uint32_t *pixels;
+    int count;
+};
+
+struct step_call {
+    struct step_segment *segments;
+    int count;
+};
+
+struct steps {
+    struct step *items;
+    struct step_call *calls;
+    int count, call_count;
+    bool no_memory; /* some are missing */
+};
+
+/* Can this be done here? If not, why: one line. */
+const char *steps_missing(void);
+
+/* From here on stage 5's traced twin runs its routine step by step, where a segment begins in the
+ * pixels first .. end - 1, and adds to `steps`; until this is called with NULL. */
+void steps_record(struct steps *steps, const uint32_t *first, const uint32_t *end);
+void steps_destroy(struct steps *steps);
+
+/* A line of span.S, counted from 1, and the macro that it is in: its name begins there and has
+ * that length, 0 if there is none. NULL beyond its end. */
+const char *steps_source(int line, const char **macro, int *macro_length);
+
+/* The segment that a lane of a group draws. */
+const struct step_segment *steps_segment(const struct steps *steps, const struct step *step,
+                                         int lane);
+
+#endif
