@@ -157,7 +157,7 @@ static inline void edge_step(struct edge *edge)
 }
 
 #define SEGMENT_LENGTH 16 /* pixels from one divide to the next */
-#define QUEUE_LENGTH 16   /* segments */
+#define QUEUE_LENGTH 32   /* segments; span.S has room for so many */
 
 /* `count` pixels, on the line from where the interpolants are `at` to `length` pixels on. */
 struct segment {

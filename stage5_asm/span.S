@@ -5,19 +5,21 @@
  *
  * draws segments with stage 4's arithmetic: its C stands beside each group of instructions. An SSE
  * register holds four floats or integers, and so four segments lie side by side, a lane each,
- * whether they belong to one span or to four. One divide serves all four. While it is under way
- * (11 clocks or more) the processor still draws the pixels of the four segments before.
+ * whether they belong to one span or to four. One divide serves all four. It takes 11 clocks or
+ * more: all the segments, up to 32, are set up before the first is drawn, so that divides overlap.
  *
  *   register              holds
- *   rdi esi               segments; how many are left
- *   rdx rcx               texture and g, on entry
+ *   rdi rsi rdx rcx       segments, count, texture and g, on entry
+ *   rdi rax rcx r9        the segments in lanes 0, 1, 2, 3
  *   r8                    the texture's pixels
- *   xmm12 xmm13 xmm14     u_mask and v_mask, in four lanes; v_shift
- *   xmm0 xmm1             u, v of the next pixel, 16.16, a segment a lane
+ *   xmm12 xmm13 xmm14     32 - log2(width); v_mask, in four lanes; v_shift = 16 - log2(width)
+ *   xmm0 xmm1             u, v of the next pixel, a segment a lane; v is 16.16, u is 16.16 shifted
+ *                         up by 16 - log2(width), so that what the mask would clear is not there
  *   xmm2 xmm3             what a pixel adds to them
  *   ecx eax r10d r9d      a pixel of lanes 0, 1, 2, 3
  *   r12 r13 r14 r15       where the lanes' pixels go
  *   ebx ebp r11d edx      how many pixels each lane has
+ *   esi                   which pixel, in a group that is not whole
  */
         .intel_syntax noprefix
 
@@ -43,9 +45,9 @@
         .set    F_LONGEST, 200                  /* the largest of four counts */
         .set    F_LEFT, 204                     /* segments, with those that are being drawn */
         .set    F_NEXT_LINES, 208
-        .set    F_LINES, 224                    /* u, v, what a pixel adds to u, to v; 4 groups */
+        .set    F_LINES, 224                    /* u, v, what a pixel adds to u, to v: 8 groups */
         .set    LINES_SIZE, 64
-        .set    F_SIZE, F_LINES + 4 * LINES_SIZE + 8 /* with a call and six pushes 16 n */
+        .set    F_SIZE, F_LINES + 8 * LINES_SIZE + 8    /* with a call and six pushes 16 n */
 
         .section .rodata
         .balign 16
@@ -53,7 +55,6 @@ ones:           .float  1, 1, 1, 1
 halves:         .float  0.5, 0.5, 0.5, 0.5
 texel_one:      .float  65536, 65536, 65536, 65536
 half_up:        .long   0x8004, 0x8004, 0x8004, 0x8004  /* TEXEL_ONE / 2 + TIE */
-two_ties:       .long   8, 8, 8, 8
 sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
 
         .text
@@ -79,7 +80,8 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
         movlhps \end, xmm8
         .endm
 
-/* u = clamp(u_over_z (1 / max(one_over_z, one_over_z_min))), v likewise, in place */
+/* u = clamp(u_over_z (1 / max(one_over_z, one_over_z_min))), v likewise, in place; times 65536: a
+ * power of two changes no rounding */
         .macro  texel_at one_over_z, u, v, t
         maxps   \one_over_z, [rsp + F_ONE_OVER_Z_MIN]
         movaps  \t, [rip + texel_one]
@@ -94,17 +96,16 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
 
 /* line_setup(): start and end become the 16.16 start and the step */
         .macro  line_setup start, end, per_pixel, falls, t
-        movaps  \falls, \end
-        cmpltps \falls, \start                  /* rises = end >= start, else all bits are 1 */
-        movaps  \t, [rip + sign]
-        andps   \t, \falls
-        orps    \t, [rip + halves]
         subps   \end, \start
+        movaps  \t, \end
+        andps   \t, [rip + sign]                /* rises = end >= start, else the sign bit is 1 */
+        movaps  \falls, \t
+        orps    \t, [rip + halves]
         mulps   \end, \per_pixel
         addps   \end, \t                        /* step = ... + (rises ? .5 : -.5) */
         cvttps2dq \end, \end                    /* 2^31 becomes -2^31: the same modulo 2^32 */
         cvttps2dq \start, \start
-        pand    \falls, [rip + two_ties]
+        psrld   \falls, 28                      /* 2 TIE = 8 where it falls */
         paddd   \start, [rip + half_up]
         psubd   \start, \falls
         .endm
@@ -114,9 +115,8 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
         .macro  fetch
         movdqa  xmm4, xmm0
         movdqa  xmm5, xmm1
-        psrld   xmm4, 16
+        psrld   xmm4, xmm12
         psrld   xmm5, xmm14
-        pand    xmm4, xmm12
         pand    xmm5, xmm13
         paddd   xmm4, xmm5                      /* (v >> v_shift & v_mask) + (u >> 16 & u_mask) */
         movq    rax, xmm4
@@ -165,7 +165,7 @@ stage5_draw_segments:
         unpcklpd xmm0, xmm0
         movapd  [rsp + F_DX + 16 * \i], xmm0
         .endr
-        .irp    i, 0, 1, 2, 3, 4                /* 1/z's least, then the ranges */
+        .irp    i, 0, 1, 2, 3, 4                /* 1/z's least; the ranges, times 65536 */
         movss   xmm0, dword ptr [rcx + G_ONE_OVER_Z_MIN + 4 * \i]
         shufps  xmm0, xmm0, 0
         .if     \i
@@ -179,18 +179,16 @@ stage5_draw_segments:
         dec     edx
         imul    edx, eax
         movd    xmm13, edx                      /* v_mask = (height - 1) width */
-        bsf     ecx, eax
-        dec     eax
-        movd    xmm12, eax                      /* u_mask = width - 1 */
-        mov     eax, 16
-        sub     eax, ecx
-        movd    xmm14, eax                      /* v_shift = 16 - log2(width) */
-        pshufd  xmm12, xmm12, 0
         pshufd  xmm13, xmm13, 0
-
+        bsf     ecx, eax
+        mov     eax, 32
+        sub     eax, ecx
+        movd    xmm12, eax                      /* 32 - log2(width) */
+        sub     eax, 16
+        movd    xmm14, eax                      /* v_shift = 16 - log2(width) */
         lea     rax, [rsp + F_UNSEEN]
         mov     [rsp + F_UNSEEN_ADDRESS], rax
-        mov     r10, rdi                        /* for both loops below */
+        mov     r10, rdi
         mov     ebx, esi
         lea     rdx, [rsp + F_LINES]
 
@@ -207,7 +205,7 @@ stage5_draw_segments:
         cmovl   r9, rcx
         .endm
 
-/* Where each of the segments starts, and how it steps. Their divides overlap. */
+/* Where each segment starts, and how it steps. */
 set_up: segments esi
         movsd   xmm10, qword ptr [rdi + S_LENGTH]
         movhpd  xmm10, qword ptr [rax + S_LENGTH]
@@ -226,6 +224,8 @@ set_up: segments esi
         line_setup xmm0, xmm2, xmm11, xmm4, xmm5
         line_setup xmm1, xmm3, xmm11, xmm6, xmm7
 
+        pslld   xmm0, xmm14
+        pslld   xmm2, xmm14
         movdqa  [rdx], xmm0
         movdqa  [rdx + 16], xmm1
         movdqa  [rdx + 32], xmm2
@@ -263,8 +263,7 @@ draw:   movdqa  xmm0, [rsi]
         test    eax, 16
         jz      partial
 
-/* Four whole segments. Each pixel's fetch waits for nothing but the one addition before it, so the
- * processor runs ahead into the next four segments' divide. */
+/* Four whole segments. A fetch waits for nothing but the addition before it. */
         .irp    pixel, 0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60
         fetch
         mov     [r12 + \pixel], ecx
@@ -305,7 +304,7 @@ partial:
         cmp     eax, edx
         cmovl   eax, edx
         mov     [rsp + F_LONGEST], eax
-2:      fetch
+1:      fetch
         cmp     esi, ebx
         cmovge  r12, [rsp + F_UNSEEN_ADDRESS]
         cmp     esi, ebp
@@ -320,7 +319,7 @@ partial:
         mov     [r15 + rsi * 4], r9d
         inc     esi
         cmp     esi, [rsp + F_LONGEST]
-        jl      2b
+        jl      1b
         jmp     next
         .cfi_endproc
         .size   stage5_draw_segments, . - stage5_draw_segments
