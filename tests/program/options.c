@@ -119,7 +119,6 @@ static const struct rule rules[] = {
      FIELD(triangle), parse_int, 0, INT_MAX},
     {OPTION_ROW, "--row", "Y", "only this scanline of it", FIELD(row), parse_int, 0,
      FRAME_SIDE_MAX - 1},
-    {OPTION_JSON, "--json", "FILE", "where to write it as JSON", FIELD(json), parse_text, 0, 0},
 };
 
 #define RULE_COUNT (sizeof rules / sizeof rules[0])

@@ -23,7 +23,6 @@ enum option {
     OPTION_SECONDS = 1 << 11,
     OPTION_TRIANGLE = 1 << 12,
     OPTION_ROW = 1 << 13,
-    OPTION_JSON = 1 << 14,
     /* Where a command takes more, or less. */
     OPTION_STAGE_OR_ALL = 1 << 15,   /* all: the five stages, and the coda where it runs */
     OPTION_STAGE_OR_EVERY = 1 << 16, /* all: these, and stage 4's other segments */
@@ -43,8 +42,7 @@ struct size {
 struct options {
     unsigned given; /* the set of options on the command line; the other fields are defaults */
     /* NULL: not given */
-    const char *argument, *stage, *stages, *scene, *triangles, *texture, *output, *csv,
-        *json;
+    const char *argument, *stage, *stages, *scene, *triangles, *texture, *output, *csv;
     int frame, max_pixels, seconds, triangle, row;
     struct size size; /* 640x480 */
 };

@@ -53,18 +53,17 @@ static bool trace_source(const struct source *source, const struct stage *stage,
 }
 
 /* To standard output where the path is -; main() looks whether that arrived. */
-static bool write_to(const char *path, void (*write)(FILE *file, const struct trace *trace),
-                     const struct trace *trace, struct error *error)
+static bool write_csv(const char *path, const struct trace *trace, struct error *error)
 {
     if (strcmp(path, "-") == 0) {
-        write(stdout, trace);
+        trace_write_csv(stdout, trace);
         return true;
     }
     FILE *file = file_create(path, error);
     if (!file) {
         return false;
     }
-    write(file, trace);
+    trace_write_csv(file, trace);
     return file_finish(file, path, error);
 }
 
@@ -77,19 +76,13 @@ static enum outcome run(const struct options *options, struct error *error)
     if (!stage || !trace_available(stage, "--stage", error)) {
         return OUTCOME_FAILED;
     }
-    if (options->csv && options->json) {
-        error_set(error, "--json: not together with --csv");
-        return OUTCOME_FAILED;
-    }
     if (!source_open(&source, options, error)) {
         return OUTCOME_FAILED;
     }
     bool done = trace_source(&source, stage, options, &trace, error);
     if (done) {
-        if (options->json) {
-            done = write_to(options->json, trace_write_json, &trace, error);
-        } else if (options->csv) {
-            done = write_to(options->csv, trace_write_csv, &trace, error);
+        if (options->csv) {
+            done = write_csv(options->csv, &trace, error);
         } else {
             printf("%s, triangle %d of %s, counted from 0 to %zu, in drawing order\n\n",
                    stage->name, options->triangle, source.name, triangles_of(&source)->count - 1);
@@ -102,9 +95,9 @@ static enum outcome run(const struct options *options, struct error *error)
 }
 
 const struct command command_trace = {
-    "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE | --json FILE]",
+    "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE]",
     "Shows what a stage, 1 to 5, computed for one triangle: along its edges and in its pixels,\n"
-    "with the exact answer beside them; of stage 5 each instruction of its assembly. With --csv or --json there, in place of the table;\n"
-    "FILE - is standard output.",
-    OPTION_STAGE_TRACED | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV | OPTION_JSON,
+    "with the exact answer beside them; of stage 5 each instruction of its assembly. With --csv there, in place of the table; FILE -\n"
+    "is standard output.",
+    OPTION_STAGE_TRACED | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV,
     OPTION_STAGE_TRACED, run};

@@ -62,11 +62,6 @@ bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int
 
 void trace_destroy(struct trace *trace);
 
-/* One JSON object: stage, given, clipped (three vertices a piece), rounded (likewise), rows; a row
- * has y, left, right, span, segments and pixels, each of them with its source line and the names of
- * trace_names; null stands for what this stage does not have. Floats have nine digits. */
-void trace_write_json(FILE *file, const struct trace *trace);
-
 /* A line for each edge, span, segment and pixel; the column `record` says which of them. */
 void trace_write_csv(FILE *file, const struct trace *trace);
 
