@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include "tests/files/error.h"
-#include "common/image.h"
+#include "tests/exact/accuracy.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
@@ -23,10 +23,10 @@ report_part report_pictures; /* the room itself */
 report_part report_speed;    /* a short benchmark, and its chart */
 report_part report_cases;    /* the stability table; a line where tests/cases/ is not at hand */
 
-/* Text in HTML; bytes in base64; a picture as an address. The last is false when there is no
- * memory. */
+/* Text in HTML; two cells of a table, wrong texels and position; a picture as an address, false
+ * when there is no memory for it. */
 void html_text(FILE *out, const char *text);
-void html_base64(FILE *out, const unsigned char *bytes, size_t size);
+void html_accuracy(FILE *out, const struct accuracy *accuracy);
 bool html_png(FILE *out, const struct image *image);
 
 /* The page's own files, tests/page/, and the stages' sources, as the build put them into the
