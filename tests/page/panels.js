@@ -28,7 +28,7 @@ class Panels {
     this.drawThumbs(stepper);
     clearTimeout(this.waiting); /* every stage is traced for it: not while a vertex is dragged */
     this.waiting = setTimeout(() => this.drawCosts(stepper), 80);
-    new Chords(stepper, event).draw();
+    new Chords(stepper, event).draw(event);
   }
 
   drawWhy({ run, state, stages, earlier }, event) {
@@ -113,7 +113,7 @@ function statementsOf(lines, event) {
 }
 
 function exactOf(stages, event) {
-  return event.x === undefined ? null : stages.exactAt(event.triangle || 0, event.x, event.y);
+  return event.x === undefined ? null : stages.exactAt(event.piece, event.x, event.y);
 }
 
 /* The number of the step in the stage before that does the same; undefined where none does. */
@@ -189,7 +189,7 @@ class Chords {
       : this.pixels.map(({ x, v }) => [x - this.first, v.u]);
   }
 
-  draw() {
+  draw(event) {
     const [c, width] = context(byId("chords"), CHORDS_HEIGHT);
     const says = byId("chords-text");
     if (!this.curve || this.count < 1) {
@@ -210,6 +210,10 @@ class Chords {
     const values = fine.map(this.curve);
     const upper = plot(c, [44, 12, width - 54, 150], [0, Math.max(this.count - 1, 1)],
       [Math.min(...values), Math.max(...values)], "u");
+    if (event && event.x !== undefined) {
+      const [now] = upper.at([event.x - this.first, 0]);
+      line(c, now, 12, now, 276, colour("now"), 2);
+    }
     upper.path(fine.map((p) => [p, this.curve(p)]), "accent", 2.5, []);
     if (this.segments.length) {
       upper.path(chord, "warn", 2, [7, 4]);

@@ -64,8 +64,8 @@ class Stepper {
       }
     }
     Object.assign(this.state, {
-      stage: clamp(Math.round(number("stage", this.state.stage)), 1, 4),
-      length: clamp(Math.round(number("length", this.state.length)), 1, 4096),
+      stage: clamp(Math.round(number("stage", 2)), 1, 4),
+      length: clamp(Math.round(number("length", 16)), 1, 4096),
       snap: [0, 1, 16].includes(number("snap", 0)) ? number("snap", 0) : 0,
       before: wanted.before === "1",
       view: wanted.view === "near" ? "near" : "fit",
@@ -185,7 +185,7 @@ class Stepper {
         const [x, y] = this.stages.rounded(k, i, grid);
         return { x, y, z: triangle[5 * i + 2], u: triangle[5 * i + 3], v: triangle[5 * i + 4] };
       });
-      return new Run(stage, this.stages.trace(stage, k), corners, this.state.size[0]);
+      return new Run(stage, this.stages.trace(stage, k), corners, this.state.size[0], k);
     });
     return runs.length ? joinRuns(runs) : new Run(stage, [], [], this.state.size[0]);
   }
@@ -220,7 +220,8 @@ class Stepper {
     this.stageChoice.press(state.stage);
     byId("step-slider").max = Math.max(count - 1, 0);
     byId("step-slider").value = state.at;
-    byId("step-count").textContent = count ? `Step ${state.at + 1} of ${count}` : "Nothing to draw";
+    byId("step-count").textContent = count ? `Step ${state.at + 1} of ` +
+      (count < EVENTS_MAX ? count : `more than ${EVENTS_MAX}, of which the others are not kept`) : "Nothing to draw";
     byId("step-case").value = state.case;
     byId("step-snap").value = state.snap;
     byId("step-view").value = state.view;
@@ -268,7 +269,6 @@ function joinRuns(runs) {
       for (const key of ["before", "span", "segment", "gradients"]) {
         event[key] = event[key] === undefined ? undefined : event[key] + from;
       }
-      event.corner = run.corners;
       all.events.push(event);
     }
     run.order.forEach((i, pixel) => all.order.set(pixel, i + from));
