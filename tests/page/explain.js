@@ -89,9 +89,9 @@ function explainGradients(run, { v }) {
     "corner, the plane tilts" }[run.stage] ?? ", from corners in sixteenths of a pixel";
   return {
     title: "Gradients: the plane of 1/z, u/z and v/z",
-    text: "Seen in perspective u is not linear on the screen, but 1/z, u/z and v/z are: each rises " +
-      "by the same amount for every pixel to the right, and for every pixel down. These amounts " +
-      `are found once for the triangle${corners}.`,
+    text: "Seen in perspective u is not linear on the screen, but 1/z, u/z and v/z are: each " +
+      "changes by the same amount for every pixel to the right, and for every pixel down. These " +
+      `amounts are found once for the triangle${corners}.`,
     formulas: [
       `area = x1 y2 \u2212 x2 y1 = ${by(x1, y2)} \u2212 ${by(x2, y1)} = ${s(v.area)}`,
       QUANTITIES.map(([key, label]) => `d(${label})/dx = ((f1 \u2212 f0) y2 \u2212 ` +
@@ -169,10 +169,10 @@ function explainEdgeStep(run, event, was) {
   const sum = was.error + was.numerator, carry = sum >= was.denominator ? 1 : 0;
   return { title: title + (carry ? ": carry" : ""),
     text: carry
-      ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and the " +
-        "error gives D back."
-      : "The fraction of the slope goes to the error term. It stays below D, so x moves by x_step " +
-        "alone: no carry.",
+      ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and " +
+        "the error gives D back."
+      : "The fraction of the slope goes to the error term. It stays below D, so x moves by " +
+        "x_step alone: no carry.",
     formulas: [
       `error: ${s(was.error)} + ${s(was.numerator)} = ${s(sum)} ${carry ? "\u2265" : "<"} ` +
         `${s(was.denominator)}: ${carry ? "carry" : "no carry"}, error = ` +
@@ -194,16 +194,16 @@ function choice(run, name, up) {
     `lo .. hi = floor(${s(min)} + 1/2) .. ceil(${s(max)} \u2212 1/2) = ` +
     `${s(lo)} .. ${s(hi)}${constant}`;
 }
-const ROUNDED = " On the border between two texels the one that lies ahead is taken: so a texture " +
-  "that begins at its border, u = \u22121/2, begins with texel 0, and not with the one before.";
+const ROUNDED = " On the border between two texels the one that lies ahead is taken: so a " +
+  "texture that begins at its border, u = \u22121/2, begins with texel 0, not the one before.";
 
 function explainSpan(run, { v, y, first, end, left, right }) {
   const list = end > first ? `pixels ${first} .. ${end - 1}: ${end - first}` : "no pixel";
   return {
     title: `Span: scanline ${y}`,
-    text: "A pixel belongs to the triangle when its centre lies between the edges. A centre on the " +
-      "left edge is in, one on the right edge is out: so two triangles that share an edge share " +
-      `no pixel.${run.stage === 3 ? ` Texels are rounded, by a rule for the span.${ROUNDED}` : ""}`,
+    text: "A pixel belongs to the triangle when its centre lies between the edges. A centre on " +
+      "the left edge is in, one on the right edge is out: so two triangles that share an edge " +
+      `share no pixel.${run.stage === 3 ? ` Texels are rounded by one rule a span.${ROUNDED}` : ""}`,
     formulas: [
       run.stage === 1
         ? [`first = ceil(${s(left)}) = ${first},  end = ceil(${s(right)}) = ${end}`, list,
@@ -239,7 +239,8 @@ function explainSegment(run, event) {
     text: "A divide at each end only. Between them u is taken for a straight line, the chord, " +
       `though it is a curve: it bends where depth changes. Texels are rounded.${ROUNDED}`,
     formulas: [
-      `u = (u/z) / (1/z) = ${s(v.u)} here, ${s(v.u_end)} at the end, ${plural(v.length, "pixel")} on`,
+      `u = (u/z) / (1/z) = ${s(v.u)} here, ${s(v.u_end)} at the end, ` +
+        `${plural(v.length, "pixel")} on`,
       `du = ${s(v.u_end)} \u2212 ${factor(v.u)} = ${s(du)},  step = du / ${v.length} = ` +
         `${s(v.u_step_16_16 / FIXED)} texel a pixel`,
       `r = z_end / z = ${s(end)} / ${s(z)} = ${s(end / z)},  bound = |du| (\u221ar \u2212 1)/` +
@@ -267,8 +268,8 @@ function explainPixel(run, event, was, exact) {
     const segment = run.at(event.segment), p = event.x - segment.x;
     const { u } = truth(run, event, event.x);
     return { title,
-      text: "No divide: one addition each for u and v, in 16.16 fixed point. The half that rounds " +
-        "was added at the segment's start, so a shift by 16 leaves the texel.",
+      text: "No divide: one addition each for u and v, in 16.16 fixed point. The half that " +
+        "rounds was added at the segment's start, so a shift by 16 leaves the texel.",
       formulas: [
         both.map((n) => `${n} = start + ${p} step = ${s(segment.v[`${n}_16_16`] / FIXED)} + ` +
           `${by(p, segment.v[`${n}_step_16_16`] / FIXED)} = ${s(v[`${n}_16_16`] / FIXED)}, ` +
@@ -281,8 +282,8 @@ function explainPixel(run, event, was, exact) {
   if (run.stage === 3) {
     const span = run.at(event.span).v;
     return { title,
-      text: "The divide gives z back, and z gives u and v. They are rounded to the nearest texel; " +
-        "which way a half goes, the span has chosen.",
+      text: "The divide gives z back, and z gives u and v. They are rounded to the nearest " +
+        "texel; which way a half goes, the span has chosen.",
       formulas: [z, both.map((n) => (rises(span, `${n}_over_z`)
         ? `${n} rises: floor(${s(v[n])} + 1/2) = ${v[`texel_${n}`]}`
         : `${n} falls: ceil(${s(v[n])} \u2212 1/2) = ${v[`texel_${n}`]}`)), compared] };

@@ -1,4 +1,4 @@
-/* What stands around the stepper's figure: why, values, sources, all stages small, costs, chords. */
+/* What stands around the stepper's figure: why, values, sources, all stages, costs, chords. */
 
 const LINES_SHOWN = 16; /* of source */
 const CHORDS_HEIGHT = 300;
@@ -33,8 +33,8 @@ class Panels {
 
   drawWhy({ run, state, stages, earlier }, event) {
     const why = event ? explain(run, state.at, exactOf(stages, event))
-      : { title: "Nothing to draw", text: "The triangle has no area, once its vertices are rounded.",
-        formulas: [] };
+      : { title: "Nothing to draw", formulas: [],
+        text: "The triangle has no area, once its vertices are rounded." };
     byId("why-title").textContent = why.title;
     byId("why-text").textContent = why.text;
     byId("why-formulas").replaceChildren(...why.formulas.map((text) =>
@@ -90,13 +90,12 @@ class Panels {
 
   drawCosts(stepper) {
     const table = byId("costs"), { state, run } = stepper;
-    const head = element("tr", {}, ...["", "divides", "float to int", "multiplications", "additions"]
-      .map((text) => element("th", { scope: "col" }, text)));
+    const head = heads("", "divides", "float to int", "multiplications", "additions");
     const row = (name, counts, now) => element("tr", now ? { class: "now" } : {},
       element("th", { scope: "row" }, name), ...counts.map((n) => element("td", {}, String(n))));
     const rows = STEPPED.map((n) => row(`Stage ${n}, in all`,
       costs(n === state.stage ? run : stepper.trace(n), Infinity), n === state.stage));
-    table.replaceChildren(element("thead", {}, head), element("tbody", {},
+    table.replaceChildren(head, element("tbody", {},
       row(`Stage ${state.stage}, so far`, costs(run, state.at), true), ...rows));
   }
 }
@@ -137,10 +136,11 @@ function drawValues(table, event, before) {
       element("th", { scope: "row" }, (changed ? "\u25cf " : "") + name),
       element("td", {}, before ? show(was) : ""), element("td", {}, show(value)));
   });
-  table.replaceChildren(element("thead", {}, element("tr", {}, element("th", { scope: "col" },
-    "variable"), element("th", { scope: "col" }, "before"), element("th", { scope: "col" }, "now"))),
-  element("tbody", {}, ...rows));
+  table.replaceChildren(heads("variable", "before", "now"), element("tbody", {}, ...rows));
 }
+
+const heads = (...names) => element("thead", {}, element("tr", {},
+  ...names.map((name) => element("th", { scope: "col" }, name))));
 
 function drawSmall(c, { frame, errors }, window, cell, width) {
   for (let y = window.y; y < window.y + window.h; y++) {
@@ -175,9 +175,9 @@ class Chords {
       this.first = this.span.first;
       this.count = this.span.end - this.span.first;
       this.curve = (p) => at(p, "u_over_z") / at(p, "one_over_z");
-      this.pixels = run.events.filter((one) => KINDS[one.kind] === "pixel" && one.y === this.span.y);
-      this.segments = run.events.filter((one) => KINDS[one.kind] === "segment" &&
-        one.y === this.span.y);
+      const row = run.events.filter((one) => one.y === this.span.y);
+      this.pixels = row.filter((one) => KINDS[one.kind] === "pixel");
+      this.segments = row.filter((one) => KINDS[one.kind] === "segment");
     }
   }
 

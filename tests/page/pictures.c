@@ -28,8 +28,8 @@ static void print_row(FILE *out, const struct stage *stage, const struct accurac
 {
     fprintf(out, "<tr><th scope=\"row\">%s</th>", stage->name);
     html_accuracy(out, a);
-    fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%d</td><td>%zu</td><td>%zu</td></tr>\n", a->bias_u,
-            a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
+    fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%d</td><td>%zu</td><td>%zu</td></tr>\n",
+            a->bias_u, a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
 }
 
 #define HEAD "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\">" \

@@ -53,13 +53,14 @@ class Stepper {
 
   /* What goes wrong when a state from outside is not one: it is said, and left. */
   openAddress(wanted) {
-    const number = (key, or) => (Number.isFinite(parseFloat(wanted[key])) ? Number(wanted[key]) : or);
+    const number = (key, or) => (Number.isFinite(Number(wanted[key] ?? NaN)) ? +wanted[key] : or);
     if (wanted.case !== undefined) {
       this.takeCase(wanted.case, number("triangle", 0));
     }
     if (wanted.v) {
-      const v = wanted.v.split(",").map(Number), size = (wanted.size || "26x12").split("x").map(Number);
-      if (v.length === FLOATS && v.every(Number.isFinite) && size.every((n) => n >= 1 && n <= 4096)) {
+      const v = wanted.v.split(",").map(Number), size = String(wanted.size).split("x").map(Number);
+      if (v.length === FLOATS && v.every(Number.isFinite) && size.length === 2 &&
+          size.every((n) => n >= 1 && n <= 4096)) {
         Object.assign(this.state, { v, size, case: "" });
       }
     }
@@ -220,8 +221,8 @@ class Stepper {
     this.stageChoice.press(state.stage);
     byId("step-slider").max = Math.max(count - 1, 0);
     byId("step-slider").value = state.at;
-    byId("step-count").textContent = count ? `Step ${state.at + 1} of ` +
-      (count < EVENTS_MAX ? count : `more than ${EVENTS_MAX}, of which the others are not kept`) : "Nothing to draw";
+    byId("step-count").textContent = `Step ${count ? state.at + 1 : 0} of ${count}` +
+      (count < EVENTS_MAX ? "" : "; there are more, which are not kept");
     byId("step-case").value = state.case;
     byId("step-snap").value = state.snap;
     byId("step-view").value = state.view;
