@@ -16,8 +16,9 @@
     "best of %d rounds. Compare within this run only. Down and to the left is better.</p>\n"
 #define TABLE "<details><summary>The same as a table</summary><div class=\"scroll\" " \
     "tabindex=\"0\" role=\"group\" aria-label=\"Speed\"><table><thead><tr>" \
-    "<th scope=\"col\">scene</th><th scope=\"col\">stage</th><th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels" \
-    "</th><th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n"
+    "<th scope=\"col\">scene</th><th scope=\"col\">stage</th>" \
+    "<th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels</th>" \
+    "<th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n"
 
 /* The chart as `texmap chart` draws it from the benchmark's CSV file. */
 static bool print_chart(FILE *out, const struct bench *bench, struct error *error)
