@@ -1,4 +1,4 @@
-/* judge N_E: holds the stage `mine`, which this program was linked with (mine.c), to what exercise E
+/* judge N_E: holds the stage `mine`, which this program was linked with (tests/lessons/mine.c), to what exercise E
  * of lesson N asks for: a line for each check, what is wrong first, and how far it is from passing.
  * Exit status 0: it passes; 1: it does not; 2: bad usage. */
 #include <math.h>
@@ -111,16 +111,19 @@ static bool other_rule(const struct subject *subject, const char *source, double
     turned_draw = turned.draw;
     turned.draw = draw_turned;
     turned.promises = COVERAGE;
-    for (int i = 0; judge_create(&judge) && i < CASES; i++, judge_destroy(&judge)) {
+    if (!judge_create(&judge)) {
+        exit(2);
+    }
+    for (int i = 0; i < CASES; i++) {
         const int height = 1 << random_int(&random, 0, 4);
-        const float top = (float)random_int(&random, 0, 2 * TURNED_SIDE - 2 - 4 * height) / 2;
+        const float top = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1 - 4 * height) / 2;
         struct judge_case one = {.number = (uint64_t)i, .width = TURNED_SIDE,
                                  .height = TURNED_SIDE, .texture_width = 1, .texture_height = 1,
                                  .count = 1};
         char what[JUDGE_TEXT] = "";
         for (int k = 0; k < 3; k++) {
             one.v[0][k] = (struct vertex){
-                .x = (float)random_int(&random, 0, 2 * TURNED_SIDE - 2) / 2, .z = 1,
+                .x = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1) / 2, .z = 1,
                 .y = top + (float)(k == 0 ? 0 : random_int(&random, 0, 2) * height)};
         }
         const bool holds = judge_case(&judge, &turned, &one, what);
@@ -129,6 +132,7 @@ static bool other_rule(const struct subject *subject, const char *source, double
             memcpy(first, what, sizeof first);
         }
     }
+    judge_destroy(&judge);
     snprintf(text, TEXT, "%d of %d right%s%s", right, CASES,
              first[0] ? "; the first that is not, turned by half a turn:\n" : "", first);
     return right == CASES;
@@ -280,7 +284,7 @@ static const struct exercise {
       {"wall", time_taken, "wall", 2}}},
     {"2_1", "2", 1, false, COVERAGE,
      {{"random triangles", random_cases, NULL, 0}, {"wall", wrong_texels, "wall", 15},
-      {"room", wrong_texels, "room", 15}, {"wall", time_taken, "wall", 2.5}}},
+      {"wall", time_taken, "wall", 2.5}}},
     {"2_2", "2", 1, true, SAME_PROMISES,
      {{"random triangles", random_cases, NULL, 0}, {"floor", same_frame, "floor", 0},
       {"mesh", same_frame, "mesh", 0}, {"mesh", time_taken, "mesh", 1.5}}},
@@ -295,7 +299,7 @@ static const struct exercise {
       {"floor", position_rms, "floor", 0.1}, {"wall", time_taken, "wall", 1.8}}},
     {"4_2", "4", 16, false, COVERAGE | OWN_RANGE,
      {{"random triangles", random_cases, NULL, 0}, {"wall", position_rms, "wall", 0.2},
-      {"facing wall", wrong_texels, FACING, 0.1}, {"facing wall", time_taken, FACING, 0.9},
+      {"facing wall", wrong_texels, FACING, 0.5}, {"facing wall", time_taken, FACING, 0.9},
       {"wall", time_taken, "wall", 1.4}}},
     {"5_1", "5", 16, false, COVERAGE | OWN_RANGE,
      {{"random triangles", random_cases, NULL, 0}, {"wall", same_frame, "wall", 0.05},
@@ -342,6 +346,10 @@ int main(int argc, char **argv)
     subject.own.truncates = exercise->truncates;
     if (exercise->promises != SAME_PROMISES) {
         subject.own.promises = exercise->promises;
+    }
+    if (subject.own.segment_length > 1) {
+        subject.own.rounding = 1; /* where it divides is the reader's business: how near u and v */
+                                  /* are is measured on the scenes */
     }
     return judge(exercise, &subject) ? 0 : 1;
 }
