@@ -151,10 +151,10 @@ static enum outcome run(const struct options *options, struct error *error)
 
 const struct command command_bench = {
     "bench", "[--stage S|all] [--scene NAME|all] [--size WxH] [--csv FILE] [--seconds N]",
-    "Measures how long stages take to draw a frame (default: 1024x768), beside their accuracy,\n"
-    "and beside the lookup: copying texels from places worked out beforehand.\n"
-    "Stages take turns in each round; of all rounds the minimum and the median count. A stage\n"
-    "whose frame is wrong is not timed (exit status 1). all, the default: every stage and segment\n"
-    "length. Accuracy is measured first; however few the seconds, one round is run.",
+    "Measures how long stages take to draw a frame, beside their accuracy and beside\n"
+    "the lookup: copying texels from places worked out beforehand. Stages take turns\n"
+    "in each round; of all rounds the minimum and the median count. A stage whose\n"
+    "frame is wrong is not timed (exit status 1). Accuracy is measured first; however\n"
+    "few the seconds, one round is run.",
     OPTION_STAGE_OR_EVERY | OPTION_SCENE_OR_ALL | OPTION_SIZE_BENCH | OPTION_CSV | OPTION_SECONDS,
     0, run};

@@ -14,19 +14,10 @@
 struct rule {
     enum option option;
     const char *name, *value, *help;
-    size_t field; /* offset in struct options of what `parse` writes */
-    bool (*parse)(const struct rule *rule, const char *text, void *field, struct error *error);
-    int low, high; /* the range of numbers, both included */
+    size_t field;  /* its offset in struct options */
+    int low, high; /* the range of a number, or of both in a size; 0, 0: a text */
+    bool is_size;
 };
-
-static bool parse_text(const struct rule *rule, const char *text, void *field,
-                       struct error *error)
-{
-    (void)rule;
-    (void)error;
-    *(const char **)field = text;
-    return true;
-}
 
 /* Reads decimal digits, nothing else (no sign, no space), as far as they go.
  * NULL where there are none or the number is outside low..high. */
@@ -46,33 +37,35 @@ static const char *read_int(const char *text, int low, int high, int *value)
     return c > text && number >= low ? c : NULL;
 }
 
-static bool parse_int(const struct rule *rule, const char *text, void *field, struct error *error)
+static bool parse_value(const struct rule *rule, const char *text, void *field,
+                        struct error *error)
 {
-    const char *end = read_int(text, rule->low, rule->high, field);
+    int number = 0, height = 0;
 
-    if (!end || *end != '\0') {
-        return error_set(error, "%s %s: not a whole number from %d to %d", rule->name, text,
-                         rule->low, rule->high);
+    if (rule->high == 0) {
+        *(const char **)field = text;
+        return true;
     }
-    return true;
-}
-
-static bool parse_size(const struct rule *rule, const char *text, void *field,
-                       struct error *error)
-{
-    struct size *size = field;
-    const char *x = read_int(text, rule->low, rule->high, &size->width);
-    const char *end =
-        x && *x == 'x' ? read_int(x + 1, rule->low, rule->high, &size->height) : NULL;
-
+    const char *end = read_int(text, rule->low, rule->high, &number);
+    if (!rule->is_size) {
+        *(int *)field = number;
+        return (end && *end == '\0') || error_set(error, "%s %s: not a whole number from %d to %d",
+                                                  rule->name, text, rule->low, rule->high);
+    }
+    end = end && *end == 'x' ? read_int(end + 1, rule->low, rule->high, &height) : NULL;
     if (!end || *end != '\0') {
         return error_set(error, "%s %s: not WIDTHxHEIGHT, each from %d to %d", rule->name, text,
                          rule->low, rule->high);
     }
+    *(struct size *)field = (struct size){number, height};
     return true;
 }
 
-#define FIELD(name) offsetof(struct options, name)
+/* The rest of a row: which field, and what it takes. */
+#define TEXT(name) offsetof(struct options, name), 0, 0, false
+#define NUMBER(name, low, high) offsetof(struct options, name), low, high, false
+#define SIZE offsetof(struct options, size), 1, FRAME_SIDE_MAX, true
+
 #define NEXT "\n                        " /* a line further, in the column of the help */
 #define ONE_STAGE                                                                                  \
     "1 2 3 4 5, a folder's name, coda, exact (what is right)," NEXT                                \
@@ -81,44 +74,40 @@ static bool parse_size(const struct rule *rule, const char *text, void *field,
 
 /* Where commands differ in what an option takes it has a row for each of them. */
 static const struct rule rules[] = {
-    {OPTION_STAGE, "--stage", "S", ONE_STAGE, FIELD(stage), parse_text, 0, 0},
+    {OPTION_STAGE, "--stage", "S", ONE_STAGE, TEXT(stage)},
     {OPTION_STAGE_OR_ALL, "--stage", "S", "all (the five, and the coda where it runs), or" NEXT
-     ONE_STAGE, FIELD(stage), parse_text, 0, 0},
+     ONE_STAGE, TEXT(stage)},
     {OPTION_STAGE_OR_EVERY, "--stage", "S", "all (default; without exact), or" NEXT ONE_STAGE,
-     FIELD(stage), parse_text, 0, 0},
-    {OPTION_STAGE_TRACED, "--stage", "S", "1 2 3 4, or a folder's name", FIELD(stage), parse_text,
-     0, 0},
-    {OPTION_STAGES, "--stages", "A,B", "two, each" NEXT ONE_STAGE, FIELD(stages), parse_text, 0, 0},
-    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh", FIELD(scene), parse_text, 0, 0},
+     TEXT(stage)},
+    {OPTION_STAGE_TRACED, "--stage", "S", "1 2 3 4 5, or a folder's name", TEXT(stage)},
+    {OPTION_STAGES, "--stages", "A,B", "two, each" NEXT ONE_STAGE, TEXT(stages)},
+    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh", TEXT(scene)},
     {OPTION_SCENE_OR_ALL, "--scene", "NAME", "room, wall, floor, mesh or all (default)",
-     FIELD(scene), parse_text, 0, 0},
+     TEXT(scene)},
     {OPTION_FRAME, "--frame", "K", "of the scene, 0 to 255; only the room moves (default 0)",
-     FIELD(frame), parse_int, 0, SCENE_FRAMES - 1},
+     NUMBER(frame, 0, SCENE_FRAMES - 1)},
     {OPTION_TRIANGLES, "--triangles", "FILE.tri",
      "instead of a scene: text, three lines a triangle, each" NEXT
      "a vertex, `x y z u v` (pixels, depth, texels). # starts" NEXT
      "a comment; `# size WxH` in a line says the frame's size",
-     FIELD(triangles), parse_text, 0, 0},
-    {OPTION_SIZE, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 640x480)",
-     FIELD(size), parse_size, 1, FRAME_SIDE_MAX},
+     TEXT(triangles)},
+    {OPTION_SIZE, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 640x480)", SIZE},
     {OPTION_SIZE_BENCH, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 1024x768)",
-     FIELD(size), parse_size, 1, FRAME_SIDE_MAX},
+     SIZE},
     {OPTION_TEXTURE, "--texture", "T",
      "own (default), coord (R=u, G=v; .tri files' own)," NEXT
      "checker, or a P6 .ppm file, its sides powers of two",
-     FIELD(texture), parse_text, 0, 0},
-    {OPTION_OUTPUT, "-o", "FILE", "where to write the result", FIELD(output), parse_text, 0, 0},
-    {OPTION_FOLDER, "-o", "DIR", "where to write it; made where it is missing", FIELD(output),
-     parse_text, 0, 0},
+     TEXT(texture)},
+    {OPTION_OUTPUT, "-o", "FILE", "where to write the result", TEXT(output)},
+    {OPTION_FOLDER, "-o", "DIR", "where to write it; made where it is missing", TEXT(output)},
     {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
-     FIELD(max_pixels), parse_int, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX},
-    {OPTION_CSV, "--csv", "FILE", "where to write it as CSV", FIELD(csv), parse_text, 0, 0},
+     NUMBER(max_pixels, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX)},
+    {OPTION_CSV, "--csv", "FILE", "where to write it as CSV", TEXT(csv)},
     {OPTION_SECONDS, "--seconds", "N", "how long the whole command may take (default 60)",
-     FIELD(seconds), parse_int, 1, SECONDS_MAX},
-    {OPTION_TRIANGLE, "--triangle", "K", "which, counted from 0 in drawing order (default 0)",
-     FIELD(triangle), parse_int, 0, INT_MAX},
-    {OPTION_ROW, "--row", "Y", "only this scanline of it", FIELD(row), parse_int, 0,
-     FRAME_SIDE_MAX - 1},
+     NUMBER(seconds, 1, SECONDS_MAX)},
+    {OPTION_TRIANGLE, "--triangle", "K", "which of the source's, counted from 0 (default 0)",
+     NUMBER(triangle, 0, INT_MAX)},
+    {OPTION_ROW, "--row", "Y", "only this scanline of it", NUMBER(row, 0, FRAME_SIDE_MAX - 1)},
 };
 
 #define RULE_COUNT (sizeof rules / sizeof rules[0])
@@ -159,7 +148,7 @@ static bool parse_word(struct options *options, const char *command, char ***wor
         return error_set(error, "%s: needs a value", rule->name);
     }
     options->given |= rule->option;
-    return rule->parse(rule, *(*words)++, (char *)options + rule->field, error);
+    return parse_value(rule, *(*words)++, (char *)options + rule->field, error);
 }
 
 bool options_parse(struct options *options, const char *command, char **words, unsigned accepted,
