@@ -18,6 +18,7 @@ async function start() {
   page.stepper = new Stepper(page.stages, page.cases);
   page.ready = performance.now();
   page.swim = new Swim(await Stages.load()); /* memory of its own: it runs beside the stepper */
+  page.lanes = new Lanes();
   page.pictures = new Pictures(await Stages.load());
   await page.pictures.load();
   addEventListener("hashchange", () => Address.read());

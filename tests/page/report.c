@@ -17,6 +17,7 @@ static const struct part parts[] = {
     {"accuracy", "the room, through all stages", report_accuracy},
     {"pictures", "the pictures", report_pictures},
     {"speed", "speed and accuracy on all scenes, about 10 seconds", report_speed},
+    {"lanes", "stage 5, one instruction at a time", report_lanes},
     {"cases", "the cases in which a method fails, about 10 seconds", report_cases},
 };
 

@@ -21,6 +21,7 @@ typedef bool report_part(FILE *out, struct error *error);
 report_part report_accuracy; /* of the room, in all stages */
 report_part report_pictures; /* the room itself */
 report_part report_speed;    /* a short benchmark, and its chart */
+report_part report_lanes;    /* recordings of stage 5's assembly, as JSON */
 report_part report_cases;    /* the stability table; a line where tests/cases/ is not at hand */
 
 /* Text in HTML; bytes in base64; a picture as an address. The last is false when there is no

@@ -314,6 +314,31 @@ async function testCases(page) {
   await testFrames(page, "a case's triangle");
 }
 
+/* The recorded lanes hold the pixels that stage 5 draws; a click goes on to their next store. */
+async function testLanes(page) {
+  if (await page.evaluate(() => Boolean(window.page.lanes.data.missing))) {
+    check(await page.textContent("#lanes-missing"), "without stage 5 the page says why");
+    return;
+  }
+  const { stored, segments } = await page.evaluate(() => {
+    const { lanes } = window.page;
+    lanes.open(0, 1e6);
+    return { stored: lanes.state().stored, segments: lanes.data.recordings[0].segments };
+  });
+  const pixels = render(5, writeTriangle([0, 0, 1, 0, 0, 40, 0, 3, 160, 0, 0, 40, 2, 0, 160]),
+    [80, 48]);
+  segments.forEach(([x, y, count], lane) => {
+    same(stored[lane].slice(0, count), Array.from({ length: count }, (_, i) => {
+      const pixel = pixels[80 * y + x + i];
+      return `(${pixel >> 16} ${pixel >> 8 & 255})`;
+    }), `lane ${lane} stores what stage 5 draws`);
+  });
+  await page.evaluate(() => window.page.lanes.open(0, 0));
+  await page.click("#lanes-pixel");
+  check((await page.textContent("#lanes-source .run")).includes("mov     [r15"),
+    "a click goes on to the last lane's store");
+}
+
 async function testAccess(page, what) {
   await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
   const { violations } = await page.evaluate(() => window.axe.run());
@@ -380,6 +405,7 @@ await testWhy(page);
 await testPictures(page);
 await testSwim(page);
 await testCases(page);
+await testLanes(page);
 await page.close();
 await testAddresses(browser);
 await testLooks(browser);

@@ -128,6 +128,7 @@ class Player {
  *   swim      frame=0..127  direction=right|down|both  speed=FRAMES_A_SECOND
  *   pictures  stage=1..7  with=1..7  mode=one|blink|swipe  show=picture|error
  *             zoom=1..16  at=X,Y
+ *   assembly  recording=0|1|2  at=INSTRUCTION
  *   cases     case=NAME
  *
  * What is left out stays as it is when the page opens. */

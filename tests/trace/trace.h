@@ -69,6 +69,11 @@ void trace_write_csv(FILE *file, const struct trace *trace);
 void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns);
 void trace_write_steps_table(FILE *file, const struct trace *trace);
 
+/* The register that a step changed, what it holds, and as text the value of each lane: as many as
+ * it returns, or one where the register has no lanes. */
+int trace_step_texts(const struct trace *trace, const struct step *step, const char **reg,
+                     const char **meaning, char lanes[STEPS_LANES][32]);
+
 /* For people: a `*` behind the pixels whose texel is not right. */
 void trace_write_table(FILE *file, const struct trace *trace);
 

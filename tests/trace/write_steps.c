@@ -169,12 +169,23 @@ static bool store_target(const struct trace *trace, const struct step *step, int
            pixel_at(trace, segment->pixels + step->pixel, x, y);
 }
 
+int trace_step_texts(const struct trace *trace, const struct step *step, const char **reg,
+                     const char **meaning, char lanes[STEPS_LANES][32])
+{
+    const struct meaning found = meaning_of(step);
+
+    *reg = register_name(step->reg);
+    *meaning = found.name;
+    return step->reg < 0 ? 0 : lanes_of(trace, step, found.format, lanes);
+}
+
 void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
 {
     for (int i = 0; i < trace->steps.count; i++) {
         const struct step *step = &trace->steps.items[i];
-        const struct meaning meaning = meaning_of(step);
+        const char *reg, *meaning;
         char lanes[STEPS_LANES][32];
+        const int count = trace_step_texts(trace, step, &reg, &meaning, lanes);
         int x, y;
 
         fprintf(file, "step,%d,", step->line);
@@ -187,8 +198,7 @@ void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
             fputs(",", file);
         }
         fprintf(file, "%d,%d,%s,%s,%s", step->call, step->group,
-                step->drawing ? "draw" : "set_up", register_name(step->reg), meaning.name);
-        const int count = step->reg < 0 ? 0 : lanes_of(trace, step, meaning.format, lanes);
+                step->drawing ? "draw" : "set_up", reg, meaning);
         for (int k = 0; k < STEPS_LANES; k++) {
             fprintf(file, ",%s", k < count ? lanes[k] : "");
         }
