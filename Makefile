@@ -66,8 +66,8 @@ compare: $(BUILD)/texmap.a
 	@sh tests/bench/compare.sh $(BUILD) '$(or $(WITH),HEAD)' . '$(N)'
 
 #: make exercise N=3 E=1   an exercise of a lesson: your copy, built and judged
-exercise: $(EXERCISES) $(LIBRARIES)
-	@sh tests/lessons/exercise.sh $(BUILD) '$(N)' '$(E)' $^
+exercise: $(EXERCISES) $(LIBRARIES) $(BUILD)/texmap
+	@sh tests/lessons/exercise.sh $(BUILD) '$(N)' '$(E)' $(EXERCISES) $(LIBRARIES)
 
 #: make report        the page on which to step through what the stages do: build/report/index.html
 report: $(BUILD)/texmap

@@ -143,6 +143,7 @@ struct trial {
     double nearest;    /* depth */
     double roundings;  /* of its planes: see trial_setup */
     bool judged;       /* in its texels */
+    bool own_range;    /* promised here */
     bool direction;    /* |u|, |v| are small enough for that promise */
     int left, right, top, bottom; /* the box of pixels to look at */
 };
@@ -151,6 +152,8 @@ static float min3(float a, float b, float c) { return fminf(a, fminf(b, c)); }
 static float max3(float a, float b, float c) { return fmaxf(a, fmaxf(b, c)); }
 
 #define DIRECTION_LARGEST 256 /* texels */
+#define RANGE_ERROR 0x1p-21   /* texels that additions along a span may lose before the own range of
+                                 a stage that adds at every pixel is not promised any more */
 
 /* u/z at a pixel of depth z comes from a gradient, whose products of up to F = U/z_min, U the
  * largest |u|, and w + h are divided by twice the area and carried w + h pixels far: 16 roundings
@@ -177,6 +180,10 @@ static void trial_setup(struct trial *t, const struct stage *stage, const struct
                                      (extent + 16) * (1 + 2 * extent / doubled)
                                : INFINITY;
     t->judged = stage->promises & TEXELS || doubled >= fmax(x1 - x0, y1 - y0) * sqrt(2);
+    const double farthest = max3(v[0].z, v[1].z, v[2].z), steps = (x1 - x0) * farthest / t->nearest;
+    t->own_range = stage->promises & OWN_RANGE &&
+                   (stage->segment_length != 1 || steps * fmax(t->u.largest, t->v_axis.largest) *
+                                                      stage->rounding <= RANGE_ERROR);
     t->direction = stage->promises & DIRECTION && t->u.largest <= DIRECTION_LARGEST &&
                    t->v_axis.largest <= DIRECTION_LARGEST;
     t->left = (int)fmaxf(0, floorf(x0) - MARGIN), t->top = (int)fmaxf(0, floorf(y0) - MARGIN);
@@ -289,7 +296,7 @@ static struct indices indices_of(const struct trial *t, const struct axis *axis,
     if (fabs(step) >= STEP_MIN && fabs(c - floor(c) - HALF) < ON_BORDER) {
         may.low = may.high = (int)floor(c) + (step > 0);
     }
-    if (t->stage->promises & OWN_RANGE) {
+    if (t->own_range) {
         may.low = may.low > axis->low ? may.low : axis->low;
         may.high = may.high < axis->high ? may.high : axis->high;
     }

@@ -1,15 +1,16 @@
 #!/bin/sh
 # tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies
 # the starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then,
-# and never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. Exit
-# status 0: it passes; 1: it does not yet; 2: bad usage, or it does not compile.
+# and never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. In the program
+# `texmap` that is built beside it the copy is `--stage mine`. Exit status 0: it passes; 1: it does
+# not yet; 2: bad usage, or it does not compile.
 #
-# tests/lessons/exercise.sh BUILD prove OBJECT...: does the judge fail each starting point, and pass
-# each solution? For both a line; exit status 1 where it does not.
+# tests/lessons/exercise.sh BUILD prove OBJECT...: does the judge fail each starting point and each
+# wrong solution, and pass each right one? A line for each; exit status 1 where it does not.
 #
 # tests/lessons/exercises/N_E/ has task.txt; start.sed, where the starting point is not the stage as
-# it is; and solution.sed, which turns the starting point into a solution. Each changes one file,
-# which its first line names.
+# it is; solution_*.sed and wrong_*.sed, each of which changes the starting point. A script changes
+# one file, which its first line names.
 # BUILD/flags says how to compile.
 
 build=$1
@@ -59,10 +60,11 @@ start() {
 # so that the stage itself can be measured beside them.
 compile() {
     number=${1%_*}
-    built=
+    built=$2/mine.o
+    $compile -DEXERCISE_STAGE="\"$number\"" -c -o "$2/mine.o" tests/lessons/mine.c || return 1
     for file in $(files_of "$(stage_of "$1")"); do
-        $compile -Dstage${number}_draw_triangle=exercise_draw_triangle \
-            -Dstage${number}_draw_rows=exercise_draw_rows \
+        $compile -Dstage${number}_draw_triangle=mine_draw_triangle \
+            -Dstage${number}_draw_segments=mine_draw_segments \
             -c -o "$2/${file%.*}.o" "$2/$file" || return 1
         built="$built $2/${file%.*}.o"
     done
@@ -97,14 +99,19 @@ prove_one() {
 
 prove() {
     failed=0
-    for folder in "$lessons"/[1-5]_[12]; do
+    for folder in "$lessons"/${only:-[1-5]_[12]}; do
         exercise=$(basename "$folder")
         made=$build/exercises_proven/$exercise
         rm -rf "$made"
-        start "$exercise" "$made/start" && prove_one "$exercise" "$made/start" 1 "start" &&
-            start "$exercise" "$made/solution" &&
-            edit "$folder/solution.sed" "$made/solution" &&
-            prove_one "$exercise" "$made/solution" 0 "solution" || failed=1
+        start "$exercise" "$made/start" && prove_one "$exercise" "$made/start" 1 start || failed=1
+        for script in "$folder"/solution_*.sed "$folder"/wrong_*.sed; do
+            [ -f "$script" ] || continue
+            name=$(basename "$script" .sed)
+            wanted=1
+            [ "$name" = "${name#solution}" ] || wanted=0
+            start "$exercise" "$made/$name" && edit "$script" "$made/$name" &&
+                prove_one "$exercise" "$made/$name" $wanted "$name" || failed=1
+        done
     done
     return $failed
 }
@@ -133,7 +140,11 @@ echo
 echo "Your copy: $(for file in $(files_of "$(stage_of "$exercise")"); do
     printf '%s/%s ' "$folder" "$file"; done)(make clean, or deleting it, starts anew)"
 echo
-compile "$exercise" "$folder" || exit 2
+compile "$exercise" "$folder" &&
+    $compile -o "$folder/texmap" $built "$build/tests/program/texmap_main.o" "$build/texmap.a" -lm ||
+    exit 2
+echo "$folder/texmap draws it: --stage mine"
+echo
 if judge "$exercise" "$folder"; then
     echo "It passes."
 else

@@ -58,7 +58,7 @@ static bool print_case(FILE *out, const struct stability_case *row, struct error
     fprintf(out, "</p>\n<p class=\"hint\">Measured: %s. ", row->measure->what);
     html_text(out, row->why);
     fprintf(out, "</p>\n<div class=\"views\"></div><p class=\"actions\"></p>\n"
-            "<p>Draw it: <code>build/texmap render --stage 2 --triangles %s -o case.png</code></p>\n"
+            "<p><code>build/texmap render --stage 2 --triangles %s -o case.png</code></p>\n"
             "<pre class=\"tri\" tabindex=\"0\" aria-label=\"The file of %s\">", row->path,
             row->name);
     const bool printed = print_file(out, row->path, error);

@@ -1,7 +1,8 @@
 #!/bin/sh
 # embed.sh FILE...: prints a C file that holds these files as strings, a line each: what
-# tests/page/report.h calls page_files. A stage's source keeps its folder in its name. C joins no lines here, so no string grows too long for a
-# compiler; every ? is escaped, because ??= and the like are C's trigraphs.
+# tests/page/report.h calls page_files. A stage's source keeps its folder in its name. C joins no
+# lines here, so no string grows too long for a compiler; every ? is escaped, because ??= and the
+# like are C's trigraphs.
 set -eu
 
 echo '#include "tests/page/report.h"'

@@ -9,14 +9,15 @@ const QUANTITIES = [["one_over_z", "1/z"], ["u_over_z", "u/z"], ["v_over_z", "v/
 
 const s = (value) => show(value, 5);
 const factor = (value) => (value < 0 ? `(${s(value)})` : s(value));
-const plus = (value) => (value < 0 ? `\u2212 ${s(-value)}` : `+ ${s(value)}`);
+const by = (a, b) => `${factor(a)} \u00b7 ${factor(b)}`;
 
 /* A triangle's way through a stage. An event's `v` has what the stage computed, by its own names;
  * added here are: an edge's side and corners, the scanline y, pixel x, a span's first pixel and
- * end, and `before`, the number of the event that computed the same things last. */
+ * end, and `before`, the number of the event that computed the same things last. `piece` counts
+ * what clipping leaves of a triangle. */
 class Run {
-  constructor(stage, events, vertices, width) {
-    Object.assign(this, { stage, events, width, order: new Map(), last: {} });
+  constructor(stage, events, vertices, width, piece = 0) {
+    Object.assign(this, { stage, events, width, piece, order: new Map(), last: {} });
     this.corners = vertices.map((c) => ({ ...c, one_over_z: 1 / c.z, u_over_z: c.u / c.z,
       v_over_z: c.v / c.z, row: Math.ceil(c.y) })).sort((a, b) => a.y - b.y || a.x - b.x);
     events.forEach((event, i) => this.place(event, i));
@@ -28,6 +29,7 @@ class Run {
 
   place(event, i) {
     const name = KINDS[event.kind], v = event.v;
+    Object.assign(event, { points: this.corners, piece: this.piece });
     if (name === "gradients") {
       Object.assign(this, { longLeft: v.area > 0, row: {}, x: {}, corner: {} });
     } else if (name === "edge" || name === "edge step") {
@@ -73,117 +75,104 @@ class Run {
 
 /* Title, sentence and formulas of step i. */
 function explain(run, i, exact) {
-  const event = run.at(i), before = run.at(event.before);
+  const event = run.at(i), was = event.before === undefined ? null : run.at(event.before).v;
+  const own = Object.assign(Object.create(run), { corners: event.points });
   const result = [explainGradients, explainEdge, explainEdgeStep, explainSpan, explainSegment,
-    explainPixel][event.kind](run, event, before, exact);
+    explainPixel][event.kind](own, event, was, exact);
   return { ...result, formulas: result.formulas.flat().filter(Boolean) };
 }
 
 function explainGradients(run, { v }) {
   const [a, b, c] = run.corners, unit = SCALE[run.stage];
   const [x1, y1, x2, y2] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map((d) => d * unit);
-  const gradient = ([key, label]) => `d(${label})/dx = ((f1 \u2212 f0) y2 \u2212 (f2 \u2212 f0) ` +
-    `y1) / area = (${factor(b[key] - a[key])} \u00b7 ${factor(y2)} \u2212 ` +
-    `${factor(c[key] - a[key])} \u00b7 ${factor(y1)})${unit > 1 ? ` \u00b7 ${unit}` : ""} / ` +
-    `${factor(v.area)} = ${s(v[`${key}_dx`])}`;
+  const corners = { 1: "", 2: ", from corners rounded to whole pixels: where rounding moves a " +
+    "corner, the plane tilts" }[run.stage] ?? ", from corners in sixteenths of a pixel";
   return {
     title: "Gradients: the plane of 1/z, u/z and v/z",
-    text: "Seen in perspective u is not linear on the screen, but 1/z, u/z and v/z are: each rises " +
-      "by the same amount for every pixel to the right, and for every pixel down. These amounts " +
-      "are found once for the triangle" + (unit > 1 ? ", from corners in sixteenths of a pixel" : "")
-      + (run.stage === 2 ? ", from corners rounded to whole pixels: where rounding moves a corner, " +
-        "the plane tilts" : "") + ".",
+    text: "Seen in perspective u is not linear on the screen, but 1/z, u/z and v/z are: each " +
+      "changes by the same amount for every pixel to the right, and for every pixel down. These " +
+      `amounts are found once for the triangle${corners}.`,
     formulas: [
-      `area = x1 y2 \u2212 x2 y1 = ${factor(x1)} \u00b7 ${factor(y2)} \u2212 ${factor(x2)} \u00b7 ` +
-        `${factor(y1)} = ${s(v.area)}`,
-      QUANTITIES.map(gradient),
+      `area = x1 y2 \u2212 x2 y1 = ${by(x1, y2)} \u2212 ${by(x2, y1)} = ${s(v.area)}`,
+      QUANTITIES.map(([key, label]) => `d(${label})/dx = ((f1 \u2212 f0) y2 \u2212 ` +
+        `(f2 \u2212 f0) y1) / area = (${by(b[key] - a[key], y2)} \u2212 ` +
+        `${by(c[key] - a[key], y1)})${unit > 1 ? ` \u00b7 ${unit}` : ""} / ${factor(v.area)} = ` +
+        s(v[`${key}_dx`])),
       QUANTITIES.map(([key, label]) => `d(${label})/dy = ${s(v[`${key}_dy`])}`).join(",  "),
     ],
   };
 }
 
-function edgeName(event) {
-  return `${event.side} edge`;
-}
+/* How u/z changes a scanline down and so many pixels to the right. */
+const stepOf = (g, pixels) => g.u_over_z_dy + pixels * g.u_over_z_dx;
 
 function explainEdge(run, event) {
-  const top = run.corners[event.corners[0]], bottom = run.corners[event.corners[1]];
-  const unit = SCALE[run.stage], v = event.v, g = run.at(event.gradients).v;
+  const [top, bottom] = event.corners.map((k) => run.corners[k]), v = event.v;
+  const unit = SCALE[run.stage], g = run.at(event.gradients).v;
   const dx = (bottom.x - top.x) * unit, dy = (bottom.y - top.y) * unit;
-  const kind = v.short ? "short" : "long";
-  const title = `Edge setup: ${edgeName(event)}, the ${kind} one`;
+  const title = `Edge setup: ${event.side} edge, the ${v.short ? "short" : "long"} one`;
+  const prestep = top.row * unit - top.y * unit;
   if (run.stage === 1) {
-    const prestep = top.row - top.y;
     return { title,
       text: "Where does the edge cross the first scanline below its top corner? The way down to " +
         "that scanline is the prestep.",
       formulas: [
         `x_step = dx / dy = ${factor(dx)} / ${factor(dy)} = ${s(v.x_step)}`,
         `prestep = ${top.row} \u2212 ${factor(top.y)} = ${s(prestep)}`,
-        `x = ${s(top.x)} + ${s(prestep)} \u00b7 ${factor(v.x_step)} = ${s(v.x)}`,
-        `u/z = ${s(top.u_over_z)} + ${s(prestep)} \u00b7 ${factor(stepOf(g, v.x_step))} = ` +
-          `${s(v.u_over_z)}`,
+        `x = ${s(top.x)} + ${by(prestep, v.x_step)} = ${s(v.x)}`,
+        `u/z = ${s(top.u_over_z)} + ${by(prestep, stepOf(g, v.x_step))} = ${s(v.u_over_z)}`,
       ] };
   }
+  const times = unit > 1 ? `${unit} \u00b7 ` : "", x0 = top.x * unit, whole = Math.floor(top.x);
   const steps = [
     `x_step = floor(dx / dy) = floor(${s(dx)} / ${s(dy)}) = ${s(v.x_step)}`,
-    `numerator = ${unit > 1 ? "16 (" : ""}${s(dx)} \u2212 ${factor(v.x_step)} \u00b7 ${s(dy)}` +
-      `${unit > 1 ? ")" : ""} = ${s(v.numerator)},  denominator D = ${unit > 1 ? "16 \u00b7 " : ""}` +
-      `${s(dy)} = ${s(v.denominator)}`,
+    `numerator = ${times}(${s(dx)} \u2212 ${by(v.x_step, dy)}) = ${s(v.numerator)},  denominator ` +
+      `D = ${times}dy = ${s(v.denominator)}`,
   ];
   if (run.stage === 2) {
     return { title,
       text: "The slope dx/dy as a whole number and a fraction numerator/D, in integers: nothing " +
         "is ever rounded. The corner is a whole pixel, so the edge begins on it, and the error " +
-        "term at D \u2212 1: any fraction to the right of a pixel leads to the next, which is ceil.",
+        "term at D \u2212 1: the least fraction more leads to the next pixel, which is ceil.",
       formulas: [steps, `x = ${s(v.x)},  error = D \u2212 1 = ${s(v.error)}`] };
   }
-  const x0 = top.x * 16, whole = Math.floor(top.x), prestep = 16 * top.row - top.y * 16;
-  const n = (x0 - 16 * whole) * dy + prestep * dx + v.denominator - 1;
+  const n = (x0 - unit * whole) * dy + prestep * dx + v.denominator - 1;
   return { title,
     text: `The top corner lies ${s(prestep)}/16 pixel above its first scanline: the prestep. ` +
-      "Integers take the edge there, and 1/z, u/z and v/z from the corner to the centre of the " +
-      "first pixel.",
+      "Integers take the edge there, and the gradients take 1/z, u/z and v/z from the corner to " +
+      "the centre of the first pixel.",
     formulas: [steps,
-      `N = ${s(x0 - 16 * whole)} \u00b7 ${s(dy)} + ${s(prestep)} \u00b7 ${factor(dx)} + D \u2212 1 ` +
-        `= ${s(n)}`,
+      `N = ${by(x0 - unit * whole, dy)} + ${by(prestep, dx)} + D \u2212 1 = ${s(n)}`,
       `x = ${whole} + floor(N / D) = ${whole} + floor(${s(n)} / ${s(v.denominator)}) = ${s(v.x)}`,
       `error = N \u2212 ${factor(v.x - whole)} D = ${s(v.error)}`,
       `prestep_x = ${s(v.x)} \u2212 ${factor(top.x)} = ${s(v.x - top.x)},  prestep_y = ` +
-        `${s(prestep)}/16 = ${s(prestep / 16)}`,
-      `u/z = u0/z0 + prestep_x d(u/z)/dx + prestep_y d(u/z)/dy = ${s(top.u_over_z)} + ` +
-        `${factor(v.x - top.x)} \u00b7 ${factor(g.u_over_z_dx)} + ${s(prestep / 16)} \u00b7 ` +
-        `${factor(g.u_over_z_dy)} = ${s(v.u_over_z)}`,
+        `${s(prestep)}/16 = ${s(prestep / unit)}`,
+      "u/z = u0/z0 + prestep_x d(u/z)/dx + prestep_y d(u/z)/dy = " +
+        `${s(top.u_over_z)} + ${by(v.x - top.x, g.u_over_z_dx)} + ` +
+        `${by(prestep / unit, g.u_over_z_dy)} = ${s(v.u_over_z)}`,
     ] };
 }
 
-/* How u/z changes a scanline down and so many pixels to the right. */
-const stepOf = (g, pixels) => g.u_over_z_dy + pixels * g.u_over_z_dx;
-
-function explainEdgeStep(run, event, before) {
-  const v = event.v, was = before.v, g = run.at(event.gradients).v;
+function explainEdgeStep(run, event, was) {
+  const v = event.v, g = run.at(event.gradients).v, top = run.corners[event.corners[0]];
+  const title = `Edge step: ${event.side} edge to scanline ${event.y}`;
   const carried = (pixels) => event.side === "left" && `u/z = ${s(was.u_over_z)} + d(u/z)/dy + ` +
     `${factor(pixels)} d(u/z)/dx = ${s(was.u_over_z)} + ${factor(stepOf(g, pixels))} = ` +
     s(v.u_over_z);
-  const title = `Edge step: ${edgeName(event)} to scanline ${event.y}`;
   if (run.stage === 1) {
-    const top = run.corners[event.corners[0]];
     return { title,
       text: "x is found anew from the corner, so that float additions cannot add up an error; " +
         "1/z, u/z and v/z are stepped.",
-      formulas: [
-        `x = x0 + (y \u2212 y0) x_step = ${s(top.x)} + (${event.y} \u2212 ${factor(top.y)}) \u00b7 ` +
-          `${factor(v.x_step)} = ${s(v.x)}`,
-        carried(v.x_step),
-      ] };
+      formulas: [`x = x0 + (y \u2212 y0) x_step = ${s(top.x)} + (${event.y} \u2212 ` +
+        `${factor(top.y)}) \u00b7 ${factor(v.x_step)} = ${s(v.x)}`, carried(v.x_step)] };
   }
   const sum = was.error + was.numerator, carry = sum >= was.denominator ? 1 : 0;
   return { title: title + (carry ? ": carry" : ""),
     text: carry
-      ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and the " +
-        "error gives D back."
-      : "The fraction of the slope goes to the error term. It stays below D, so x moves by x_step " +
-        "alone: no carry.",
+      ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and " +
+        "the error gives D back."
+      : "The fraction of the slope goes to the error term. It stays below D, so x moves by " +
+        "x_step alone: no carry.",
     formulas: [
       `error: ${s(was.error)} + ${s(was.numerator)} = ${s(sum)} ${carry ? "\u2265" : "<"} ` +
         `${s(was.denominator)}: ${carry ? "carry" : "no carry"}, error = ` +
@@ -194,149 +183,135 @@ function explainEdgeStep(run, event, before) {
 }
 
 /* Does u rise to the right, where a span has `v`? */
-function rises(v, key) {
-  return v[`${key}_dx`] * v.one_over_z >= v[key] * v.one_over_z_dx;
-}
+const rises = (v, key) => v[`${key}_dx`] * v.one_over_z >= v[key] * v.one_over_z_dx;
 
 /* The rounding choice in words, and the texels that may show: those of the triangle's range. */
 function choice(run, name, up) {
   const all = run.corners.map((corner) => corner[name]), min = Math.min(...all);
   const max = Math.max(...all), lo = Math.floor(min + 0.5), hi = Math.ceil(max - 0.5);
-  return `${name} ${up ? "rises" : "falls"}: ` +
-    (up ? `floor(${name} + 1/2)` : `ceil(${name} \u2212 1/2)`) + `, in lo .. hi = floor(${s(min)} + ` +
-    `1/2) .. ceil(${s(max)} \u2212 1/2) = ${s(lo)} .. ${s(hi)}`;
+  const constant = hi < lo ? `, on a border everywhere: ${s(hi === SIDE - 1 ? hi : lo)}` : "";
+  return `${name} ${up ? `rises: floor(${name} + 1/2)` : `falls: ceil(${name} \u2212 1/2)`}, in ` +
+    `lo .. hi = floor(${s(min)} + 1/2) .. ceil(${s(max)} \u2212 1/2) = ` +
+    `${s(lo)} .. ${s(hi)}${constant}`;
 }
+const ROUNDED = " On the border between two texels the one that lies ahead is taken: so a " +
+  "texture that begins at its border, u = \u22121/2, begins with texel 0, not the one before.";
 
-function explainSpan(run, event) {
-  const v = event.v, { first, end, left, right } = event, count = end - first;
-  const g = run.at(event.gradients).v;
-  const list = count ? `pixels ${first} .. ${end - 1}: ${count}` : "no pixel";
+function explainSpan(run, { v, y, first, end, left, right }) {
+  const list = end > first ? `pixels ${first} .. ${end - 1}: ${end - first}` : "no pixel";
   return {
-    title: `Span: scanline ${event.y}`,
-    text: "A pixel belongs to the triangle when its centre lies between the edges. A centre on the " +
-      "left edge is in, one on the right edge is out: so two triangles that share an edge share " +
-      "no pixel." + (run.stage === 3 ? " How texels are rounded is chosen once for the span: a u " +
-        "on the border of two texels takes the one that lies ahead." : ""),
+    title: `Span: scanline ${y}`,
+    text: "A pixel belongs to the triangle when its centre lies between the edges. A centre on " +
+      "the left edge is in, one on the right edge is out: so two triangles that share an edge " +
+      `share no pixel.${run.stage === 3 ? ` Texels are rounded by one rule a span.${ROUNDED}` : ""}`,
     formulas: [
       run.stage === 1
         ? [`first = ceil(${s(left)}) = ${first},  end = ceil(${s(right)}) = ${end}`, list,
-        `u/z at the first centre = left + (${first} \u2212 ${factor(left)}) \u00b7 ` +
-          `${factor(g.u_over_z_dx)} = ${s(v.u_over_z)}`]
-        : [`${list}  (the error term holds the ceil)`, `u/z at the first centre = ` +
-          `${s(v.u_over_z)}, carried along the left edge`],
+          `u/z at the first centre = left + (${first} \u2212 ${factor(left)}) \u00b7 ` +
+            `${factor(v.u_over_z_dx)} = ${s(v.u_over_z)}`]
+        : [`${list}  (the error term holds the ceil)`,
+          `u/z at the first centre = ${s(v.u_over_z)}, carried along the left edge`],
       run.stage === 3 && ["u", "v"].map((n) => choice(run, n, rises(v, `${n}_over_z`))),
     ],
   };
 }
 
-/* A chord over du texels between depths in the ratio r errs by |du| (sqrt r - 1)/(sqrt r + 1). */
-function chordBound(du, r) {
-  const root = Math.sqrt(Math.max(r, 1 / r));
-  return Math.abs(du) * (root - 1) / (root + 1);
+/* What a span's planes of 1/z and u/z say at pixel x: the depth, and the true u. */
+function truth(run, event, x) {
+  const { v, first } = run.at(event.span), p = x - first;
+  const z = 1 / (v.one_over_z + p * v.one_over_z_dx);
+  return { z, u: (v.u_over_z + p * v.u_over_z_dx) * z };
 }
 
-/* The depth at pixel x of a span, from its plane of 1/z. */
-function depthAt(run, event, x) {
-  const span = run.at(event.span);
-  return 1 / (span.v.one_over_z + (x - span.first) * span.v.one_over_z_dx);
-}
-
-/* The true u in a pixel of a span, from its planes. */
-function curveAt(run, event) {
-  const { v, first } = run.at(event.span), p = event.x - first;
-  return (v.u_over_z + p * v.u_over_z_dx) / (v.one_over_z + p * v.one_over_z_dx);
-}
-
-/* What bounds a segment's chord: du, r, and the bound for u. */
+/* What bounds a segment's chord: over du texels between depths in the ratio r it errs by at most
+ * |du| (sqrt r - 1)/(sqrt r + 1). */
 function chordOf(run, event) {
-  const { v, x } = event, du = v.u_end - v.u;
-  const z = depthAt(run, event, x), end = depthAt(run, event, x + v.length);
-  return { du, z, end, r: end / z, bound: chordBound(du, end / z) };
+  const du = event.v.u_end - event.v.u, { z } = truth(run, event, event.x);
+  const end = truth(run, event, event.x + event.v.length).z;
+  const root = Math.sqrt(Math.max(end / z, z / end));
+  return { du, z, end, bound: Math.abs(du) * (root - 1) / (root + 1) };
 }
 
 function explainSegment(run, event) {
-  const v = event.v, { du, z, end, r, bound } = chordOf(run, event);
+  const v = event.v, { du, z, end, bound } = chordOf(run, event);
   return {
     title: `Segment: ${plural(v.count, "pixel")} from x = ${event.x}`,
     text: "A divide at each end only. Between them u is taken for a straight line, the chord, " +
-      "though it is a curve: it bends where depth changes.",
+      `though it is a curve: it bends where depth changes. Texels are rounded.${ROUNDED}`,
     formulas: [
-      `u = (u/z) / (1/z) = ${s(v.u)} here, ${s(v.u_end)} at the end, ${plural(v.length, "pixel")} on`,
+      `u = (u/z) / (1/z) = ${s(v.u)} here, ${s(v.u_end)} at the end, ` +
+        `${plural(v.length, "pixel")} on`,
       `du = ${s(v.u_end)} \u2212 ${factor(v.u)} = ${s(du)},  step = du / ${v.length} = ` +
         `${s(v.u_step_16_16 / FIXED)} texel a pixel`,
-      `r = z_end / z = ${s(end)} / ${s(z)} = ${s(r)},  bound = |du| (\u221ar \u2212 1)/(\u221ar + 1)`
-        + ` = ${s(bound)} texel`,
+      `r = z_end / z = ${s(end)} / ${s(z)} = ${s(end / z)},  bound = |du| (\u221ar \u2212 1)/` +
+        `(\u221ar + 1) = ${s(bound)} texel`,
       ["u", "v"].map((n) => choice(run, n, v[`${n}_end`] >= v[n])),
     ],
   };
 }
 
 /* The exact answer in a pixel: its coordinate, and the texel. */
-function exactLine(name, exact, got) {
-  const value = exact[name === "u" ? 0 : 1], right = Math.floor(value + 0.5);
+function exactLine(name, value, got) {
+  const right = Math.floor(value + 0.5), same = (texel) => ((got - texel) & SIDE - 1) === 0;
   const border = Math.abs(value + 0.5 - Math.round(value + 0.5)) < 1e-6;
-  return `exact ${name} = ${s(value)}: texel ${border ? `${right - 1} or ` : ""}${right}` +
-    ((got & SIDE - 1) === (right & SIDE - 1) ||
-      border && (got & SIDE - 1) === (right - 1 & SIDE - 1) ? ", the same" : `, not ${got}`);
+  return `exact ${name} = ${s(value)}: texel ${border ? `${right - 1} or ` : ""}${right}, ` +
+    (same(right) || border && same(right - 1) ? "the same" : `not ${got}`);
 }
 
-function explainPixel(run, event, before, exact) {
-  const v = event.v, x = `pixel ${event.x}, ${event.y}`;
-  const covered = exact && exact[3];
-  const compared = covered ? ["u", "v"].map((name) => exactLine(name, exact, v[`texel_${name}`]))
+function explainPixel(run, event, was, exact) {
+  const v = event.v, title = `Pixel: pixel ${event.x}, ${event.y}`, both = ["u", "v"];
+  const compared = exact && exact[3]
+    ? both.map((n, i) => exactLine(n, exact[i], v[`texel_${n}`]))
     : "the exact answer does not cover this pixel";
   const z = `z = 1 / (1/z) = 1 / ${s(v.one_over_z)} = ${s(v.z)}`;
   if (run.stage === 4) {
     const segment = run.at(event.segment), p = event.x - segment.x;
-    return { title: `Pixel: ${x}`,
-      text: "No divide: one addition each for u and v, in 16.16 fixed point. The half that rounds " +
-        "was added at the segment's start, so a shift by 16 leaves the texel.",
+    const { u } = truth(run, event, event.x);
+    return { title,
+      text: "No divide: one addition each for u and v, in 16.16 fixed point. The half that " +
+        "rounds was added at the segment's start, so a shift by 16 leaves the texel.",
       formulas: [
-        ["u", "v"].map((n) => {
-          const start = segment.v[`${n}_16_16`], step = segment.v[`${n}_step_16_16`];
-          return `${n} = start + ${p} step = ${s(start / FIXED)} + ${p} \u00b7 ` +
-            `${factor(step / FIXED)} = ${s(v[`${n}_16_16`] / FIXED)}: texel floor = ` +
-            v[`texel_${n}`];
-        }),
-        `u without the half = ${s(v.u)}, the curve (u/z)/(1/z) = ${s(curveAt(run, event))}: error ` +
-          `here ${s(v.u - curveAt(run, event))}, bound ${s(chordOf(run, segment).bound)}`,
+        both.map((n) => `${n} = start + ${p} step = ${s(segment.v[`${n}_16_16`] / FIXED)} + ` +
+          `${by(p, segment.v[`${n}_step_16_16`] / FIXED)} = ${s(v[`${n}_16_16`] / FIXED)}, ` +
+          `>> 16: texel ${v[`texel_${n}`]}`),
+        `u without the half = ${s(v.u)}, the curve (u/z)/(1/z) = ${s(u)}: error here ` +
+          `${s(v.u - u)}, bound ${s(chordOf(run, segment).bound)}`,
         compared,
       ] };
   }
   if (run.stage === 3) {
     const span = run.at(event.span).v;
-    return { title: `Pixel: ${x}`,
-      text: "The divide gives z back, and z gives u and v. They are rounded to the nearest texel; " +
-        "which way a half goes, the span has chosen.",
-      formulas: [z, ["u", "v"].map((n) => {
-        const value = v[n], up = rises(span, `${n}_over_z`);
-        return `${n} ${up ? "rises" : "falls"}: ${up ? `floor(${s(value)} + 1/2)`
-          : `ceil(${s(value)} \u2212 1/2)`} = ${v[`texel_${n}`]}`;
-      }), compared] };
+    return { title,
+      text: "The divide gives z back, and z gives u and v. They are rounded to the nearest " +
+        "texel; which way a half goes, the span has chosen.",
+      formulas: [z, both.map((n) => (rises(span, `${n}_over_z`)
+        ? `${n} rises: floor(${s(v[n])} + 1/2) = ${v[`texel_${n}`]}`
+        : `${n} falls: ceil(${s(v[n])} \u2212 1/2) = ${v[`texel_${n}`]}`)), compared] };
   }
-  return { title: `Pixel: ${x}`,
-    text: "The divide gives z back, and z gives u and v. The cast to int truncates: u from 12 up " +
-      "to 13 becomes 12, though from 12.5 on texel 13's centre is nearer.",
-    formulas: [z, ["u", "v"].map((n) => `${n} = (int)(${n}/z \u00b7 z) = (int)(` +
-      `${s(v[`${n}_over_z`])} \u00b7 ${s(v.z)}) = (int)${factor(v[n])} = ${v[`texel_${n}`]}`),
-    compared] };
+  return { title,
+    text: "The divide gives z back, and z gives u and v. The cast to int truncates: 12.7 becomes " +
+      "texel 12, though the centre of texel 13 is nearer.",
+    formulas: [z, both.map((n) => `${n} = (int)(${n}/z \u00b7 z) = (int)(` +
+      `${by(v[`${n}_over_z`], v.z)}) = (int)${factor(v[n])} = ${v[`texel_${n}`]}`), compared] };
 }
 
-/* What the arithmetic of a step is, in each stage: divides, conversions from float to int,
- * multiplications, additions; without what a triangle's or an edge's setup costs. */
+/* What a step costs in stages 1 to 4, counted in their sources: divides, conversions from float to
+ * int, multiplications, additions and subtractions; of the setup of edges and gradients, which
+ * comes once a triangle, nothing. */
+const NOTHING = [0, 0, 0, 0];
 const COSTS = {
-  "edge step": [null, [0, 0, 1, 5], [0, 0, 0, 6], [0, 0, 0, 6], [0, 0, 0, 6]],
-  span: [null, [0, 2, 3, 4], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]],
-  segment: [null, null, null, null, [1, 4, 8, 8]],
-  pixel: [null, [1, 2, 2, 3], [1, 2, 2, 3], [1, 2, 2, 5], [0, 0, 0, 2]],
+  "edge step": [[0, 0, 1, 6], [0, 0, 0, 7], [0, 0, 0, 7], [0, 0, 0, 7]],
+  span: [[0, 2, 3, 4], NOTHING, [1, 0, 17, 9], [1, 0, 2, 2]], /* stage 4: the divide at its start */
+  segment: [NOTHING, NOTHING, NOTHING, [1, 4, 9, 9]],         /* and at each segment's end */
+  pixel: [[1, 2, 3, 4], [1, 2, 3, 4], [1, 2, 3, 6], [0, 0, 0, 3]],
 };
 
 /* The sum of it up to step `last`. */
 function costs(run, last) {
   const sum = [0, 0, 0, 0];
   run.events.slice(0, last + 1).forEach((event) => {
-    const cost = COSTS[KINDS[event.kind]];
-    (cost ? cost[run.stage] : []).forEach((n, i) => { sum[i] += n; });
+    const cost = (COSTS[KINDS[event.kind]] || [])[run.stage - 1] || NOTHING;
+    cost.forEach((n, i) => { sum[i] += n; });
   });
   return sum;
 }

@@ -17,7 +17,8 @@ void html_text(FILE *out, const char *text)
     }
 }
 
-void html_base64(FILE *out, const unsigned char *bytes, size_t size)
+/* Bytes in base64. */
+static void print_base64(FILE *out, const unsigned char *bytes, size_t size)
 {
     static const char digits[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -42,7 +43,17 @@ bool html_png(FILE *out, const struct image *image)
         return false;
     }
     fputs("data:image/png;base64,", out);
-    html_base64(out, bytes, size);
+    print_base64(out, bytes, size);
     free(bytes);
     return true;
+}
+
+void html_accuracy(FILE *out, const struct accuracy *a)
+{
+    fprintf(out, "<td>%.3g %%</td><td>", a->wrong_texel_pct);
+    if (a->position_rms < a->ruler_step) {
+        fprintf(out, "&lt; 1/%d</td>", (int)(1 / a->ruler_step));
+    } else {
+        fprintf(out, "%.3g</td>", a->position_rms);
+    }
 }

@@ -1,4 +1,4 @@
-/* What stands around the stepper's figure: why, values, sources, all stages small, costs, chords. */
+/* What stands around the stepper's figure: why, values, sources, all stages, costs, chords. */
 
 const LINES_SHOWN = 16; /* of source */
 const CHORDS_HEIGHT = 300;
@@ -28,13 +28,13 @@ class Panels {
     this.drawThumbs(stepper);
     clearTimeout(this.waiting); /* every stage is traced for it: not while a vertex is dragged */
     this.waiting = setTimeout(() => this.drawCosts(stepper), 80);
-    new Chords(stepper, event).draw();
+    new Chords(stepper, event).draw(event);
   }
 
   drawWhy({ run, state, stages, earlier }, event) {
     const why = event ? explain(run, state.at, exactOf(stages, event))
-      : { title: "Nothing to draw", text: "The triangle has no area, once its vertices are rounded.",
-        formulas: [] };
+      : { title: "Nothing to draw", formulas: [],
+        text: "The triangle has no area, once its vertices are rounded." };
     byId("why-title").textContent = why.title;
     byId("why-text").textContent = why.text;
     byId("why-formulas").replaceChildren(...why.formulas.map((text) =>
@@ -90,13 +90,12 @@ class Panels {
 
   drawCosts(stepper) {
     const table = byId("costs"), { state, run } = stepper;
-    const head = element("tr", {}, ...["", "divides", "float to int", "multiplications", "additions"]
-      .map((text) => element("th", { scope: "col" }, text)));
+    const head = heads("", "divides", "float to int", "multiplications", "additions");
     const row = (name, counts, now) => element("tr", now ? { class: "now" } : {},
       element("th", { scope: "row" }, name), ...counts.map((n) => element("td", {}, String(n))));
     const rows = STEPPED.map((n) => row(`Stage ${n}, in all`,
       costs(n === state.stage ? run : stepper.trace(n), Infinity), n === state.stage));
-    table.replaceChildren(element("thead", {}, head), element("tbody", {},
+    table.replaceChildren(head, element("tbody", {},
       row(`Stage ${state.stage}, so far`, costs(run, state.at), true), ...rows));
   }
 }
@@ -113,7 +112,7 @@ function statementsOf(lines, event) {
 }
 
 function exactOf(stages, event) {
-  return event.x === undefined ? null : stages.exactAt(event.triangle || 0, event.x, event.y);
+  return event.x === undefined ? null : stages.exactAt(event.piece, event.x, event.y);
 }
 
 /* The number of the step in the stage before that does the same; undefined where none does. */
@@ -137,10 +136,11 @@ function drawValues(table, event, before) {
       element("th", { scope: "row" }, (changed ? "\u25cf " : "") + name),
       element("td", {}, before ? show(was) : ""), element("td", {}, show(value)));
   });
-  table.replaceChildren(element("thead", {}, element("tr", {}, element("th", { scope: "col" },
-    "variable"), element("th", { scope: "col" }, "before"), element("th", { scope: "col" }, "now"))),
-  element("tbody", {}, ...rows));
+  table.replaceChildren(heads("variable", "before", "now"), element("tbody", {}, ...rows));
 }
+
+const heads = (...names) => element("thead", {}, element("tr", {},
+  ...names.map((name) => element("th", { scope: "col" }, name))));
 
 function drawSmall(c, { frame, errors }, window, cell, width) {
   for (let y = window.y; y < window.y + window.h; y++) {
@@ -175,9 +175,9 @@ class Chords {
       this.first = this.span.first;
       this.count = this.span.end - this.span.first;
       this.curve = (p) => at(p, "u_over_z") / at(p, "one_over_z");
-      this.pixels = run.events.filter((one) => KINDS[one.kind] === "pixel" && one.y === this.span.y);
-      this.segments = run.events.filter((one) => KINDS[one.kind] === "segment" &&
-        one.y === this.span.y);
+      const row = run.events.filter((one) => one.y === this.span.y);
+      this.pixels = row.filter((one) => KINDS[one.kind] === "pixel");
+      this.segments = row.filter((one) => KINDS[one.kind] === "segment");
     }
   }
 
@@ -189,7 +189,7 @@ class Chords {
       : this.pixels.map(({ x, v }) => [x - this.first, v.u]);
   }
 
-  draw() {
+  draw(event) {
     const [c, width] = context(byId("chords"), CHORDS_HEIGHT);
     const says = byId("chords-text");
     if (!this.curve || this.count < 1) {
@@ -210,6 +210,10 @@ class Chords {
     const values = fine.map(this.curve);
     const upper = plot(c, [44, 12, width - 54, 150], [0, Math.max(this.count - 1, 1)],
       [Math.min(...values), Math.max(...values)], "u");
+    if (event && event.x !== undefined) {
+      const [now] = upper.at([event.x - this.first, 0]);
+      line(c, now, 12, now, 276, colour("now"), 2);
+    }
     upper.path(fine.map((p) => [p, this.curve(p)]), "accent", 2.5, []);
     if (this.segments.length) {
       upper.path(chord, "warn", 2, [7, 4]);

@@ -26,23 +26,18 @@ static bool room_open(struct source *source, struct error *error)
 
 static void print_row(FILE *out, const struct stage *stage, const struct accuracy *a)
 {
-    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%.3g %%</td><td>%+.3f</td><td>%+.3f</td>"
-            "<td>%d</td><td>", stage->name, a->wrong_texel_pct, a->bias_u, a->bias_v, a->max_texel);
-    if (a->position_rms < a->ruler_step) {
-        fprintf(out, "&lt; 1/%d", (int)(1 / a->ruler_step));
-    } else {
-        fprintf(out, "%.2f", a->position_rms);
-    }
-    fprintf(out, "</td><td>%zu</td><td>%zu</td></tr>\n", a->coverage_missing, a->coverage_extra);
+    fprintf(out, "<tr><th scope=\"row\">%s</th>", stage->name);
+    html_accuracy(out, a);
+    fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%d</td><td>%zu</td><td>%zu</td></tr>\n",
+            a->bias_u, a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
 }
 
 #define HEAD "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\">" \
-    "<table><caption>The room, frame %d, %dx%d pixels, " \
-    "against the exact answer</caption><thead><tr><th scope=\"col\">stage</th>" \
-    "<th scope=\"col\">wrong texels</th><th scope=\"col\">bias of u</th>" \
+    "<table><caption>The room, frame %d, %dx%d pixels, against the exact answer</caption><thead>" \
+    "<tr><th scope=\"col\">stage</th><th scope=\"col\">wrong texels</th>" \
+    "<th scope=\"col\">position, RMS texels</th><th scope=\"col\">bias of u</th>" \
     "<th scope=\"col\">bias of v</th><th scope=\"col\">largest error, texels</th>" \
-    "<th scope=\"col\">position, RMS texels</th><th scope=\"col\">pixels missing</th>" \
-    "<th scope=\"col\">too many</th></tr></thead><tbody>\n"
+    "<th scope=\"col\">pixels missing</th><th scope=\"col\">too many</th></tr></thead><tbody>\n"
 
 bool report_accuracy(FILE *out, struct error *error)
 {

@@ -1,5 +1,5 @@
-/* Pictures of the room: any two of seven, under one zoom and one cursor. Stages 1 to 4 and the exact
- * answer are drawn here; stage 5 and the coda cannot run in a browser, and are read from the page. */
+/* Pictures of the room: any two of seven, under one zoom and one cursor. Stages 1 to 4 and the
+ * exact answer are drawn here; stage 5 and the coda cannot run in a browser: the page has them. */
 
 const MODES = [["one", "one"], ["blink", "blink"], ["swipe", "swipe"]];
 
@@ -51,7 +51,8 @@ class Pictures {
     this.modes = new Choice("picture-mode", MODES, (mode) => this.set({ mode }));
     this.shows = new Choice("picture-show", [["picture", "picture"], ["error", "error"]],
       (show) => this.set({ show }));
-    byId("picture-with").append(...numbers.map((n) => element("option", { value: n }, this.name(n))));
+    byId("picture-with").append(...numbers.map((n) =>
+      element("option", { value: n }, this.name(n))));
     byId("picture-with").addEventListener("change",
       (event) => this.set({ with: Number(event.target.value) }));
     byId("picture-zoom").addEventListener("input",
@@ -188,8 +189,9 @@ class Pictures {
     const [x, y] = this.hover || this.state.at, i = y * ROOM_SIZE[0] + x;
     const parts = Array.from(this.rooms).map(([n, { frame, errors }]) => {
       const error = errorAt(errors, i);
-      return `${this.name(n)}: ` + (frame[i] ? `${texelU(frame[i])}, ${texelV(frame[i])}` : "nothing")
-        + (error === OTHER_SURFACE ? " (another surface)" : error ? ` (off by ${error})` : "");
+      return `${this.name(n)}: ` +
+        (frame[i] ? `${texelU(frame[i])}, ${texelV(frame[i])}` : "nothing") +
+        (error === OTHER_SURFACE ? " (another surface)" : error ? ` (off by ${error})` : "");
     });
     byId("picture-says").textContent = `Pixel ${x}, ${y}, texel u, v in ${parts.join("; ")}.`;
   }

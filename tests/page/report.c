@@ -1,5 +1,5 @@
-/* The page's template is tests/page/page.html, in which a line @NAME@ stands for a file of the page,
- * for a stage's source, or for a part that is measured. */
+/* The page's template is tests/page/page.html, in which a line @NAME@ stands for a file of the
+ * page, for a stage's source, or for a part that is measured. */
 #define _POSIX_C_SOURCE 200809L
 #include "tests/page/report.h"
 

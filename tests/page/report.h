@@ -6,13 +6,13 @@
 #include <stddef.h>
 #include <stdio.h>
 #include "tests/files/error.h"
-#include "common/image.h"
+#include "tests/exact/accuracy.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
 
-/* Measures all that the page shows (10 to 30 seconds) and returns it, *size bytes, for the caller to
- * free; NULL with `error` set on failure. `progress` may be NULL. */
+/* Measures all that the page shows (10 to 30 seconds) and returns it, *size bytes, for the caller
+ * to free; NULL with `error` set on failure. `progress` may be NULL. */
 char *report_make(report_progress *progress, size_t *size, struct error *error);
 
 /* A part of the page: prints HTML. */
@@ -24,10 +24,10 @@ report_part report_speed;    /* a short benchmark, and its chart */
 report_part report_lanes;    /* recordings of stage 5's assembly, as JSON */
 report_part report_cases;    /* the stability table; a line where tests/cases/ is not at hand */
 
-/* Text in HTML; bytes in base64; a picture as an address. The last is false when there is no
- * memory. */
+/* Text in HTML; two cells of a table, wrong texels and position; a picture as an address, false
+ * when there is no memory for it. */
 void html_text(FILE *out, const char *text);
-void html_base64(FILE *out, const unsigned char *bytes, size_t size);
+void html_accuracy(FILE *out, const struct accuracy *accuracy);
 bool html_png(FILE *out, const struct image *image);
 
 /* The page's own files, tests/page/, and the stages' sources, as the build put them into the

@@ -1,7 +1,8 @@
-/* A short benchmark of everything, and its chart. */
+/* A short benchmark of everything: its chart, and the numbers as a table. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "tests/bench/bench.h"
 #include "tests/bench/machine.h"
 #include "tests/chart/chart.h"
@@ -11,118 +12,58 @@
 #define HEIGHT 480
 #define SECONDS 5 /* of rounds, once accuracy is measured */
 
-/* What `print` writes, as a string for the caller to free; NULL when there is no memory. */
-static char *text_of(void (*print)(FILE *out, const void *what), const void *what, size_t *size)
-{
-    char *text = NULL;
-    FILE *out = open_memstream(&text, size);
+#define INTRO "<p>Time for a pixel, and how far it is from the right place: %dx%d pixels, the " \
+    "best of %d rounds. Compare within this run only. Down and to the left is better.</p>\n"
+#define TABLE "<details><summary>The same as a table</summary><div class=\"scroll\" " \
+    "tabindex=\"0\" role=\"group\" aria-label=\"Speed\"><table><thead><tr>" \
+    "<th scope=\"col\">scene</th><th scope=\"col\">stage</th>" \
+    "<th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels</th>" \
+    "<th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n"
 
-    if (!out) {
-        return NULL;
-    }
-    print(out, what);
-    if (fclose(out) == 0) {
-        return text;
-    }
-    free(text);
-    return NULL;
-}
-
-static void print_csv(FILE *out, const void *bench)
-{
-    bench_print_csv(out, bench);
-}
-
-static void print_chart(FILE *out, const void *chart)
-{
-    chart_draw(out, chart);
-}
-
-static void print_machine(FILE *out, const void *nothing)
-{
-    (void)nothing;
-    machine_print(out, "");
-}
-
-/* The chart as `texmap chart` would draw it from the benchmark's CSV file. */
-static bool print_picture(FILE *out, const char *csv_text, struct error *error)
+/* The chart as `texmap chart` draws it from the benchmark's CSV file. */
+static bool print_chart(FILE *out, const struct bench *bench, struct error *error)
 {
     struct csv csv;
     struct chart chart;
-
-    if (!csv_parse("report", csv_text, &csv, error)) {
-        return false;
-    }
-    char *svg = NULL;
+    char *text = NULL;
     size_t size;
-    if (chart_load(&csv, &chart, error)) {
-        svg = text_of(print_chart, &chart, &size);
-        chart_destroy(&chart);
-        if (svg) {
-            fputs("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Chart\">"
-                  "<img id=\"chart\" alt=\"Error against time, a panel for each scene; the "
-                  "numbers stand in the table below\" src=\"data:image/svg+xml;base64,", out);
-            html_base64(out, (const unsigned char *)svg, size);
-            fputs("\"></div>\n", out);
-        } else {
-            error_set(error, "report: no memory for the chart");
-        }
+    FILE *file = open_memstream(&text, &size);
+
+    if (file) {
+        bench_print_csv(file, bench);
     }
-    csv_destroy(&csv);
-    free(svg);
-    return svg;
+    if (!file || fclose(file) != 0) {
+        free(text);
+        return error_set(error, "report: no memory for the benchmark");
+    }
+    bool drawn = csv_parse("report", text, &csv, error);
+    free(text);
+    if (drawn) {
+        drawn = chart_load(&csv, &chart, error);
+        if (drawn) {
+            fputs("<div class=\"scroll\" id=\"chart\" tabindex=\"0\" role=\"group\" "
+                  "aria-label=\"Chart\">\n", out);
+            chart_draw(out, &chart);
+            fputs("</div>\n", out);
+            chart_destroy(&chart);
+        }
+        csv_destroy(&csv);
+    }
+    return drawn;
 }
 
-/* ns a pixel; wrong texels; position. */
 static void print_row(FILE *out, const struct bench_row *row)
 {
-    const struct accuracy *a = &row->accuracy;
-
-    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%s</td><td>%.2f</td><td>%.3g %%</td>",
-            row->source->name, row->stage->name, bench_ns_per_pixel(row, row->ns_min),
-            a->wrong_texel_pct);
-    if (a->position_rms < a->ruler_step) {
-        fprintf(out, "<td>&lt; 1/%d</td></tr>\n", (int)(1 / a->ruler_step));
+    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%s</td>", row->source->name, row->stage->name);
+    if (row->wrong) {
+        fprintf(out, "<td>not timed: ");
+        html_text(out, row->why.text);
+        fprintf(out, "</td>");
     } else {
-        fprintf(out, "<td>%.3f</td></tr>\n", a->position_rms);
+        fprintf(out, "<td>%.2f</td>", bench_ns_per_pixel(row, row->ns_min));
     }
-}
-
-static void print_table(FILE *out, const struct bench *bench)
-{
-    fprintf(out, "<details><summary>The same as a table</summary><div class=\"scroll\" "
-            "tabindex=\"0\" role=\"group\" aria-label=\"Speed\"><table><thead><tr>"
-            "<th scope=\"col\">scene</th><th scope=\"col\">stage</th>"
-            "<th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels</th>"
-            "<th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n");
-    for (int i = 0; i < bench->row_count; i++) {
-        print_row(out, &bench->rows[i]);
-    }
-    fprintf(out, "</tbody></table></div></details>\n");
-}
-
-static bool print_bench(FILE *out, const struct bench *bench, struct error *error)
-{
-    size_t size;
-    char *csv = text_of(print_csv, bench, &size);
-    char *machine = text_of(print_machine, NULL, &size);
-    bool printed = csv && machine;
-
-    if (printed) {
-        fprintf(out, "<p>Time for a pixel, and how far it is from the right place: %dx%d pixels, "
-                "the best of %d rounds. Compare within this run only. Down and to the left is "
-                "better.</p>\n", WIDTH, HEIGHT, bench->rounds);
-        printed = print_picture(out, csv, error);
-        print_table(out, bench);
-        fprintf(out, "<pre class=\"hint\" tabindex=\"0\" aria-label=\"The machine\">");
-        html_text(out, machine);
-        fprintf(out, "</pre>\n");
-    } else {
-        error_set(error, "report: no memory for the benchmark");
-    }
-    free(csv);
-    free(machine);
-    return printed;
+    html_accuracy(out, &row->accuracy);
+    fprintf(out, "</tr>\n");
 }
 
 bool report_speed(FILE *out, struct error *error)
@@ -138,9 +79,24 @@ bool report_speed(FILE *out, struct error *error)
         return false;
     }
     bool printed = bench_judge(&bench, INFINITY, error);
+    for (int i = 0; printed && i < bench.row_count; i++) {
+        const struct bench_row *row = &bench.rows[i];
+        /* A frame that is wrong is shown as such; one that could not be judged is no frame. */
+        printed = !row->wrong || !strstr(row->why.text, "no memory") ||
+                  error_set(error, "report: %s", row->why.text);
+    }
     if (printed) {
         bench_time(&bench, bench_clock() + SECONDS);
-        printed = print_bench(out, &bench, error);
+        fprintf(out, INTRO, WIDTH, HEIGHT, bench.rounds);
+        printed = print_chart(out, &bench, error);
+        fputs(TABLE, out);
+        for (int i = 0; i < bench.row_count; i++) {
+            print_row(out, &bench.rows[i]);
+        }
+        fputs("</tbody></table></div></details>\n<pre class=\"hint\" tabindex=\"0\" "
+              "aria-label=\"The machine\">", out);
+        machine_print(out, "");
+        fputs("</pre>\n", out);
     }
     bench_close(&bench);
     return printed;

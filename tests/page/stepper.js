@@ -53,19 +53,20 @@ class Stepper {
 
   /* What goes wrong when a state from outside is not one: it is said, and left. */
   openAddress(wanted) {
-    const number = (key, or) => (Number.isFinite(parseFloat(wanted[key])) ? Number(wanted[key]) : or);
+    const number = (key, or) => (Number.isFinite(Number(wanted[key] ?? NaN)) ? +wanted[key] : or);
     if (wanted.case !== undefined) {
       this.takeCase(wanted.case, number("triangle", 0));
     }
     if (wanted.v) {
-      const v = wanted.v.split(",").map(Number), size = (wanted.size || "26x12").split("x").map(Number);
-      if (v.length === FLOATS && v.every(Number.isFinite) && size.every((n) => n >= 1 && n <= 4096)) {
+      const v = wanted.v.split(",").map(Number), size = String(wanted.size).split("x").map(Number);
+      if (v.length === FLOATS && v.every(Number.isFinite) && size.length === 2 &&
+          size.every((n) => n >= 1 && n <= 4096)) {
         Object.assign(this.state, { v, size, case: "" });
       }
     }
     Object.assign(this.state, {
-      stage: clamp(Math.round(number("stage", this.state.stage)), 1, 4),
-      length: clamp(Math.round(number("length", this.state.length)), 1, 4096),
+      stage: clamp(Math.round(number("stage", 2)), 1, 4),
+      length: clamp(Math.round(number("length", 16)), 1, 4096),
       snap: [0, 1, 16].includes(number("snap", 0)) ? number("snap", 0) : 0,
       before: wanted.before === "1",
       view: wanted.view === "near" ? "near" : "fit",
@@ -185,7 +186,7 @@ class Stepper {
         const [x, y] = this.stages.rounded(k, i, grid);
         return { x, y, z: triangle[5 * i + 2], u: triangle[5 * i + 3], v: triangle[5 * i + 4] };
       });
-      return new Run(stage, this.stages.trace(stage, k), corners, this.state.size[0]);
+      return new Run(stage, this.stages.trace(stage, k), corners, this.state.size[0], k);
     });
     return runs.length ? joinRuns(runs) : new Run(stage, [], [], this.state.size[0]);
   }
@@ -220,7 +221,8 @@ class Stepper {
     this.stageChoice.press(state.stage);
     byId("step-slider").max = Math.max(count - 1, 0);
     byId("step-slider").value = state.at;
-    byId("step-count").textContent = count ? `Step ${state.at + 1} of ${count}` : "Nothing to draw";
+    byId("step-count").textContent = `Step ${count ? state.at + 1 : 0} of ${count}` +
+      (count < EVENTS_MAX ? "" : "; there are more, which are not kept");
     byId("step-case").value = state.case;
     byId("step-snap").value = state.snap;
     byId("step-view").value = state.view;
@@ -268,7 +270,6 @@ function joinRuns(runs) {
       for (const key of ["before", "span", "segment", "gradients"]) {
         event[key] = event[key] === undefined ? undefined : event[key] + from;
       }
-      event.corner = run.corners;
       all.events.push(event);
     }
     run.order.forEach((i, pixel) => all.order.set(pixel, i + from));

@@ -2,7 +2,7 @@
  * should be. */
 
 const SWIM_FRAMES = 128;
-const SWIM_WINDOW = [72, 54];
+const SWIM_WINDOW = { x: 163, y: 39, w: 72, h: 54 }; /* of the frame: the wall's far end */
 const SWIM_STAGES = [2, 3, EXACT];
 const SWIM_CHANGE = 2; /* texels: a change of 1 is what rounding to whole texels makes */
 const letterOf = (n) => String.fromCharCode(65 + n);
@@ -72,27 +72,14 @@ class Swim {
     }));
     const rounded = (grid) => list.map((_, k) =>
       [0, 1, 2].map((i) => stages.rounded(k, i, grid)));
-    return { list, results, rounded: new Map([[2, rounded(1)], [3, rounded(16)],
+    const given = rounded(0).flat(), keys = given.map(String);
+    const letters = given.map((p, i) => /* the same in all triangles that share the vertex */
+      [letterOf(new Set(keys.slice(0, keys.indexOf(keys[i]))).size), p]);
+    return { results, letters, rounded: new Map([[2, rounded(1)], [3, rounded(16)],
       [EXACT, rounded(0)]]) };
   }
 
-  /* The part of the frame where stage 2 is farthest off: the wall's far end. */
-  findWindow() {
-    const { errors } = this.wall(0, false).results.get(2);
-    let worst = 0, most = -1;
-    for (let i = 0; i < errors.length / 2; i++) {
-      const error = errorAt(errors, i);
-      if (error !== OTHER_SURFACE && error > most) {
-        [worst, most] = [i, error];
-      }
-    }
-    const [w, h] = SWIM_WINDOW;
-    return { w, h, x: clamp(worst % ROOM_SIZE[0] - w / 2, 0, ROOM_SIZE[0] - w),
-      y: clamp(Math.floor(worst / ROOM_SIZE[0]) - h / 2, 0, ROOM_SIZE[1] - h), most };
-  }
-
   draw() {
-    this.window = this.window || this.findWindow();
     const { frame } = this.state, now = this.wall(frame, true);
     const before = frame > 0 ? this.wall(frame - 1, false) : now;
     for (const view of this.views) {
@@ -108,7 +95,7 @@ class Swim {
   }
 
   drawView({ n, canvas, says }, now, before) {
-    const { x, y, w, h } = this.window, cell = (canvas.clientWidth || 300) / w;
+    const { x, y, w, h } = SWIM_WINDOW, cell = (canvas.clientWidth || 300) / w;
     const [c] = context(canvas, Math.ceil(cell * h));
     const { picture, errors } = now.results.get(n), old = before.results.get(n).errors;
     drawPixels(c, (i, j) => picture[(y + j) * ROOM_SIZE[0] + x + i], w, h, cell);
@@ -118,7 +105,7 @@ class Swim {
       line(c, ...at(p), ...at(points[(i + 1) % 3]), colour(name), 2, dash));
     now.rounded.get(n).forEach((triangle) => outline(triangle, "now", []));
     now.rounded.get(EXACT).forEach((triangle) => outline(triangle, "accent", [5, 4]));
-    for (const [letter, p] of this.letters(now)) {
+    for (const [letter, p] of now.letters) {
       const [px, py] = at(p);
       if (px > 0 && py > 0 && px < w * cell && py < h * cell) {
         const jump = n !== EXACT && jumped(before, now, n).includes(letter);
@@ -138,18 +125,8 @@ class Swim {
           `${jumped(before, now, n) ? `; vertex ${jumped(before, now, n)} jumped` : ""}.`);
   }
 
-  /* Each vertex's letter, and where it is given. */
-  letters({ list }) {
-    const all = new Map();
-    list.forEach((v) => [0, 5, 10].forEach((i) => {
-      const key = `${v[i]},${v[i + 1]}`;
-      all.set(key, all.get(key) || [letterOf(all.size), [v[i], v[i + 1]]]);
-    }));
-    return all.values();
-  }
-
   drawChanged(c, errors, old, cell) {
-    const { x, y, w, h } = this.window, mark = byId("swim-mark").checked;
+    const { x, y, w, h } = SWIM_WINDOW, mark = byId("swim-mark").checked;
     let changed = 0;
     c.fillStyle = colour("changed");
     c.globalAlpha = 0.6;
@@ -230,18 +207,11 @@ function swimChange(before, now) {
   return change;
 }
 
-/* Each vertex has a letter, the same in all triangles that share it. */
+/* The letters of the vertices that a stage rounds to another place than before. */
 function jumped(before, now, n) {
-  const letters = new Map(), found = new Set();
-  now.list.forEach((triangle, k) => [0, 1, 2].forEach((i) => {
-    const key = `${triangle[5 * i]},${triangle[5 * i + 1]}`;
-    letters.set(key, letters.get(key) || letterOf(letters.size));
-    const was = before.rounded.get(n)[k], is = now.rounded.get(n)[k];
-    if (was && (was[i][0] !== is[i][0] || was[i][1] !== is[i][1])) {
-      found.add(letters.get(key));
-    }
-  }));
-  return Array.from(found).sort().join("");
+  const was = before.rounded.get(n).flat(), found = now.rounded.get(n).flat()
+    .map((p, i) => (was[i] && (was[i][0] !== p[0] || was[i][1] !== p[1]) ? now.letters[i][0] : ""));
+  return Array.from(new Set(found)).sort().join("");
 }
 
 /* Pixels 0xAARRGGBB, one by one, so that each is sharp. */

@@ -141,6 +141,9 @@ const Address = {
   },
 
   write(name) {
+    if (!this.ready) {
+      return; /* what the page was opened with is still to be read */
+    }
     const pairs = Object.entries(this.parts[name].state())
       .filter(([, value]) => value !== null && value !== undefined && value !== "")
       .map(([key, value]) => `${key}=${encodeURI(value)}`);
@@ -150,6 +153,7 @@ const Address = {
   },
 
   read() {
+    this.ready = true;
     const [name, query] = location.hash.slice(1).split("?");
     if (!this.parts[name] || query === undefined) {
       return;

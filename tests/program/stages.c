@@ -40,11 +40,34 @@ static struct stage table[] = {
      .segment_length = 64, .promises = COVERAGE | OWN_RANGE | TEXELS, .variant = true},
     {"segment_span", NULL, segment_span_draw_triangle, NULL, SUBDIVIDED,
      .segment_length = 0, .promises = COVERAGE | TEXELS, .variant = true},
-    {.name = NULL}, /* the coda's place */
+    {.name = NULL}, /* the coda's place, and `mine`'s */
+    {.name = NULL},
     {.name = NULL},
 };
 
 const struct stage *const stages = table;
+
+static void append(struct stage row)
+{
+    size_t i = 0;
+
+    while (table[i].name) {
+        i++;
+    }
+    table[i] = row;
+}
+
+void stage_add_mine(const char *digit, draw_triangle *draw)
+{
+    struct stage mine = *stage_find(digit);
+
+    mine.name = "mine";
+    mine.digit = mine.twin = NULL;
+    mine.draw = draw;
+    mine.traced = NULL;
+    mine.variant = true;
+    append(mine);
+}
 
 static bool available;
 
@@ -64,10 +87,9 @@ __attribute__((constructor)) static void add_coda(void)
                 __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
                 __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
     if (available) {
-        table[sizeof table / sizeof table[0] - 2] =
-            (struct stage){"coda", NULL, coda_draw_triangle, NULL, .segment_length = 1,
-                           .promises = COVERAGE | OWN_RANGE | TEXELS, .tie = 0x1p-20,
-                           .twin = "exact"};
+        append((struct stage){"coda", NULL, coda_draw_triangle, NULL, .segment_length = 1,
+                              .promises = COVERAGE | OWN_RANGE | TEXELS, .tie = 0x1p-20,
+                              .twin = "exact"});
     }
 }
 #endif

@@ -47,6 +47,10 @@ bool coda_available(void);
 /* The stage of that name or digit, or NULL. */
 const struct stage *stage_find(const char *name);
 
+/* Adds the stage `mine`, an exercise's: what the stage of that digit is and promises, drawn by
+ * another function. */
+void stage_add_mine(const char *digit, draw_triangle *draw);
+
 draw_triangle stage1_draw_triangle, stage2_draw_triangle, stage3_draw_triangle,
     stage4_draw_triangle;
 #ifdef TEXMAP_STAGE5

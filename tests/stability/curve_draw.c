@@ -1,4 +1,4 @@
-/* A curve as a picture. Series that look alike are one line with one label. */
+/* A curve as a picture. */
 #include <math.h>
 #include <string.h>
 #include "tests/chart/plot.h"
@@ -13,7 +13,6 @@
 #define BAND 20.0
 #define TEXT 12.0
 #define MARKS_MAX 32    /* points; more of them are a line alone */
-#define ALIKE 2.0 /* pixels */
 
 static struct point at(const struct panel *panel, const struct curve *curve, int number, int p)
 {
@@ -47,45 +46,13 @@ static void draw_series(struct panel *panel, const struct curve *curve, int numb
     }
 }
 
-/* The first series that looks the same: the series itself, if there is none. */
-static int first_alike(const struct panel *panel, const struct curve *curve, int number)
-{
-    for (int i = 0; i < number; i++) {
-        bool alike = curve->series[i].bound == curve->series[number].bound;
-        for (int p = 0; alike && p < curve->points; p++) {
-            const double a = at(panel, curve, i, p).y, b = at(panel, curve, number, p).y;
-            alike = isnan(a) ? isnan(b) : fabs(a - b) < ALIKE;
-        }
-        if (alike) {
-            return i;
-        }
-    }
-    return number;
-}
-
-/* `stage3, 4`: the series and those that look like it. */
-static void label_text(const struct panel *panel, const struct curve *curve, int number,
-                       char text[64])
-{
-    size_t used = 0;
-
-    for (int i = number; i < curve->count && used < 40; i++) {
-        const char *name = curve->series[i].name;
-        if (first_alike(panel, curve, i) == number) {
-            name += used && strncmp(name, "stage", 5) == 0 ? 5 : 0;
-            used += (size_t)snprintf(text + used, 64 - used, "%s%.*s", used ? ", " : "",
-                                     (int)fmin((double)strcspn(name, "_"), 16), name);
-        }
-    }
-}
-
-/* Beside the end of its line. */
+/* Beside the end of its line: the name up to its first _. */
 static void draw_label(struct panel *panel, const struct curve *curve, int number)
 {
     const struct series *series = &curve->series[number];
-    char text[64] = "", class[16];
+    char text[32], class[16];
 
-    label_text(panel, curve, number, text);
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(series->name, "_"), series->name);
     snprintf(class, sizeof class, "s%d bold", series->style);
     panel_label(panel, at(panel, curve, number, curve->points - 1), SVG_HOLLOW_RADIUS,
                 &(struct text_style){TEXT, "middle", class}, false, text);
@@ -111,14 +78,11 @@ void curve_draw(FILE *file, const struct curve *curve)
              &(struct text_style){TEXT, "middle", "soft"}, curve->x_name);
     panel_begin(&panel);
     for (int i = 0; i < curve->count; i++) {
-        if (first_alike(&panel, curve, i) == i) {
-            draw_series(&panel, curve, i);
-        }
+        draw_series(&panel, curve, i);
     }
     for (int i = 0; i < curve->count; i++) {
-        const bool one_of_many = curve->series[i].bound && strchr(curve->series[i].name, '_');
-        if (first_alike(&panel, curve, i) == i && !one_of_many) {
-            draw_label(&panel, curve, i);
+        if (!curve->series[i].bound || curve->series[i].style == STYLE_BOUND) {
+            draw_label(&panel, curve, i); /* a bound in a series' colour needs none */
         }
     }
     svg_end(file);

@@ -16,17 +16,18 @@ static struct series *series_add(struct curve *curve, const char *name, int styl
     return series;
 }
 
-/* One series a stage, the first `most` of them; one that draws the frames of the stage before it
- * looks like that. */
-static struct stability_stages series_of_stages(struct curve *curve, int most)
+/* The curve's stages, as far as they are here, and a series for each, stages 1 to 4 always in the
+ * same colour. */
+static struct stability_stages series_of_stages(struct curve *curve)
 {
-    struct stability_stages chosen = stability_stages();
-    int style = -1;
+    struct stability_stages chosen = {.count = 0};
 
-    chosen.count = most < chosen.count ? most : chosen.count;
-    for (int i = 0; i < chosen.count; i++) {
-        style += !chosen.items[i]->twin;
-        series_add(curve, chosen.items[i]->name, style, false);
+    for (int i = 0; i < 4 && curve->stages[i]; i++) {
+        const struct stage *stage = stage_find(curve->stages[i]);
+        if (stage) {
+            chosen.items[chosen.count++] = stage;
+            series_add(curve, stage->name, stage - stages < 4 ? (int)(stage - stages) : 4, false);
+        }
     }
     return chosen;
 }
@@ -66,8 +67,8 @@ static bool measure_point(struct curve *curve, double x, const struct vertex v[3
 
 static bool measure_drift(struct curve *curve, struct error *error)
 {
-    const struct stability_stages chosen = series_of_stages(curve, STABILITY_STAGES);
-    struct series *bound = series_add(curve, "bound", 5, true);
+    const struct stability_stages chosen = series_of_stages(curve);
+    struct series *bound = series_add(curve, "bound", STYLE_BOUND, true);
     bool done = true;
 
     for (int x = 255; done && x < FRAME_SIDE_MAX; x += 256) {
@@ -87,7 +88,7 @@ static bool measure_slivers(struct curve *curve, struct error *error)
 {
     static const float heights[] = {1 / 32.f, 3 / 32.f, 7 / 32.f,  15 / 32.f, 1 + 15 / 32.f,
                                     2 + 15 / 32.f, 4 + 15 / 32.f, 8 + 15 / 32.f, 16 + 15 / 32.f};
-    const struct stability_stages chosen = series_of_stages(curve, STABILITY_STAGES);
+    const struct stability_stages chosen = series_of_stages(curve);
     bool done = true;
 
     for (size_t i = 0; done && i < sizeof heights / sizeof heights[0]; i++) {
@@ -114,7 +115,7 @@ static struct vertex steep_vertex(double r, double du, double x, double y)
 static bool measure_steepness(struct curve *curve, struct error *error)
 {
     static const char *const names[][2] = {
-        {"bound_16", "16 texels"}, {"bound_32", "32 texels"}, {"bound_64", "64 texels"}};
+        {"bound_16", "du 16_stage4"}, {"bound_32", "du 32_stage4"}, {"bound_64", "du 64_stage4"}};
     const struct stability_stages four = {{stage_find("4")}, 1};
     bool done = true;
 
@@ -134,11 +135,11 @@ static bool measure_steepness(struct curve *curve, struct error *error)
     return done;
 }
 
-/* Of tests/cases/swim.tri, in stages 1 to 3: stages 4 and 5 jitter like 3, the coda like 1. */
+/* Of tests/cases/swim.tri. */
 static bool measure_jitter(struct curve *curve, struct error *error)
 {
     static double frames[STABILITY_STAGES + 1][JITTER_FRAMES];
-    const struct stability_stages chosen = series_of_stages(curve, 3);
+    const struct stability_stages chosen = series_of_stages(curve);
     double rms[STABILITY_STAGES + 1];
     struct stability_case row;
     struct meter meter = {0};
@@ -163,22 +164,26 @@ static bool measure_jitter(struct curve *curve, struct error *error)
 
 static struct curve curves[] = {
     {.name = "drift", .title = "In float each addition rounds, and the errors add up",
+     .stages = {"1", "3"},
      .x_name = "length of the span (pixels)", .x_low = 0, .x_high = 5000,
      .y_name = "largest position error (texels)", .y_low = 0, .y_high = .15,
      .measure = measure_drift},
     {.name = "slivers",
      .title = "The thinner a triangle, the more a rounded vertex moves its texture",
+     .stages = {"1", "2", "3", "coda"},
      .x_name = "height (pixels) of a triangle 4000 pixels long and 32 texels high",
      .x_log = true, .x_low = .03125, .x_high = 60,
      .y_name = "largest position error (texels)", .y_log = true, .y_low = .001, .y_high = 100,
      .measure = measure_slivers},
     {.name = "steepness",
      .title = "A straight line over 16 pixels errs as its formula says, no more",
-     .x_name = "ratio of the depths at the line's ends", .x_low = 1, .x_high = 4.5,
+     .x_name = "ratio of the depths at the ends of a line over du texels",
+     .x_low = 1, .x_high = 4.5,
      .y_name = "largest position error (texels): marks are stage 4's, lines the bound",
      .y_low = 0, .y_high = 25, .measure = measure_steepness},
     {.name = "jitter",
      .title = "Whole-pixel vertices jump rarely and far, sixteenths often and little",
+     .stages = {"1", "2", "3"},
      .x_name = "frame, each 1/64 pixel further right", .x_low = 0, .x_high = 145,
      .y_name = "change of the position error since the frame before (texels, RMS)",
      .y_log = true, .y_low = .005, .y_high = 1, .measure = measure_jitter},

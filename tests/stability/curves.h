@@ -6,9 +6,10 @@
 
 #define CURVE_SERIES_MAX 8
 #define CURVE_POINTS_MAX 128
+#define STYLE_BOUND 5
 
 struct series {
-    const char *name; /* of its CSV column; a part of it stands beside its line */
+    const char *name; /* of its CSV column; up to a _ it stands beside its line */
     int style;        /* colour and mark, as in tests/chart/svg.h */
     bool bound;       /* a line without marks; the others are measured: marks, where few */
     double y[CURVE_POINTS_MAX]; /* NAN where there is no number */
@@ -17,6 +18,7 @@ struct series {
 struct curve {
     const char *name;            /* of its files */
     const char *title;           /* what it says */
+    const char *stages[4];       /* those that it compares, as stage_find knows them */
     const char *x_name, *y_name; /* with their units */
     bool x_log, y_log;
     double x_low, x_high, y_low, y_high; /* the axes' ends */

@@ -94,7 +94,7 @@ static void test_number(const char *page)
 static void test_plain(const char *page)
 {
     static const char *const parts[] = {"<noscript>", "id=\"picture-1\"", "id=\"picture-7\"",
-                                        "stage4_draw_triangle(", "ns a pixel", "data:image/svg"};
+                                        "stage4_draw_triangle(", "ns a pixel", "<svg"};
 
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
         check(strstr(page, parts[i]), "the page can be read without a script", "%s", parts[i]);

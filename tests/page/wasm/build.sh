@@ -1,8 +1,8 @@
 #!/bin/sh
-# build.sh build FILE: compiles stages 1 to 4, the exact answer and the trace's recorder for the page
-#   of `texmap report`, to FILE: WebAssembly in base64.
-# build.sh choose FILE: the same where clang and wasm-ld are, else the module that is in the repository;
-#   beside FILE, in module-note.html, what the page should say about it.
+# build.sh build FILE: compiles stages 1 to 4, the exact answer and the trace's recorder for the
+#   page of `texmap report`, to FILE: WebAssembly in base64.
+# build.sh choose FILE: the same where clang and wasm-ld are, else the module that is in the
+#   repository; beside FILE, in module-note.html, what the page should say about it.
 # build.sh list: every file that the module is made from. build.sh sources: a checksum of each.
 # build.sh fresh: are those the checksums beside the module that is in the repository? If not, says
 #   which files have moved on; status 1. build.sh check: the same, for make test.
@@ -10,10 +10,11 @@ set -eu
 
 here=tests/page/wasm
 stages='stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide'
-sources="$(echo common/*.c) tests/exact/exact.c tests/exact/meter.c tests/exact/surface.c tests/trace/recorder.c
-    $here/module.c"
+sources="$(echo common/*.c) tests/exact/exact.c tests/exact/meter.c tests/exact/surface.c
+    tests/trace/recorder.c $here/module.c"
 headers="$(echo common/*.h) tests/exact/exact.h tests/exact/meter.h tests/exact/surface.h
-    tests/program/stages.h tests/trace/recorder.h tests/trace/hooks.h $here/freestanding.h $here/segment.h"
+    tests/program/stages.h tests/trace/recorder.h tests/trace/hooks.h $here/freestanding.h
+    $here/segment.h"
 
 list()
 {

@@ -1,6 +1,6 @@
 # span.S
 # 1/z by the processor's estimate, right to some 12 bits.
-/^ *\.macro  texel u, v, z, t$/,/^ *\.endm/{
-/movaps  \\t, \[rip + ones\]/d
-s/divps   \\t, \\z/rcpps   \\t, \\z/
+/^ *\.macro  texel_at/,/^ *\.endm/{
+s/movaps  \\t, \[rip + texel_one\]/rcpps   \\t, \\one_over_z/
+s/divps   \\t, \\one_over_z/mulps   \\t, [rip + texel_one]/
 }

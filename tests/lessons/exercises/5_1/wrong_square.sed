@@ -1,0 +1,8 @@
+# span.S
+# z t instead of z t t is taken away.
+/^ *\.macro  texel_at/,/^ *\.endm/{
+s/^ *rcpps   \\t, \\one_over_z/&\
+        mulps   \\one_over_z, \\t\
+        addps   \\t, \\t\
+        subps   \\t, \\one_over_z/
+}
