@@ -47,7 +47,7 @@ static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row,
 static bool parse_stage(const char *stage, struct chart_row *row)
 {
     row->stage = stage;
-    if (strncmp(stage, "stage", 5) == 0 && stage[5] >= '1' && stage[5] <= '5' && stage[6] == '_') {
+    if (strncmp(stage, "stage", 5) == 0 && stage[5] >= '1' && stage[5] <= '9' && stage[6] == '_') {
         row->mark = stage[5];
         row->segment = row->mark == '4' ? STAGE4_SEGMENT : 0;
         return true;

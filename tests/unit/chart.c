@@ -53,7 +53,7 @@ static void test_bad_files(void)
         {"# c\n" HEADER ROW("coda", "nan", "1", "1"), "t:3: position_rms: 'nan' is not finite"},
         {HEADER ROW("coda", "-1", "1", "1"), "t:2: position_rms: '-1' is negative"},
         {HEADER ROW("coda", "1", "1", "0"), "t:2: ns_per_pixel_min: '0' is not positive"},
-        {HEADER ROW("stage6_gpu", "1", "1", "1"), "t:2: unknown stage 'stage6_gpu'"},
+        {HEADER ROW("stage_gpu", "1", "1", "1"), "t:2: unknown stage 'stage_gpu'"},
         {HEADER ROW("segment_0", "1", "1", "1"), "t:2: unknown stage 'segment_0'"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

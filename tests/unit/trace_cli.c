@@ -23,7 +23,7 @@ static const struct {
     {"trace --stage 1", "--scene"},
     {"trace --stage exact " SOURCE, "no stage"},
     {"trace --stage segment_8 " SOURCE, "not traceable"},
-    {"trace --stage 6 " SOURCE, "no such stage"},
+    {"trace --stage 9 " SOURCE, "no such stage"},
     {TRACE "--triangle 2", "2 triangles"},
     {TRACE "--triangle -1", "--triangle -1"},
     {TRACE "--triangle 2147483648", "whole number"},
