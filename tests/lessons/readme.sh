@@ -142,6 +142,16 @@ stability() {
         }' $cases
 }
 
+# function STAGE NAME: that function's code, without the comment above it and what only traces.
+function() {
+    echo '```c'
+    awk -v name="$2" '
+        !inside && $0 ~ "^[a-z].*[ *]" name "\\(" { inside = 1 }
+        inside && !/TRACE_/
+        inside && /^}/ { exit }' "$1/rasterize.c"
+    echo '```'
+}
+
 # lines A B: how much of stage A's source stage B changes. hunks A B PATTERN: those of the
 # differences in which the pattern stands.
 lines() {
