@@ -239,7 +239,7 @@ fuzz:
 		mkdir -p $(BUILD)/fuzz/corpus/$$target && \
 		$(BUILD)/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
 			-artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/corpus/$$target \
-			tests/long/corpus/$$target || exit 1; \
+			tests/long/corpus/$$target $$([ $$target != tri ] || echo tests/cases) || exit 1; \
 	done
 
 # Can clang build this program with these flags?

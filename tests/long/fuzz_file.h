@@ -1,27 +1,24 @@
-/* For the fuzz targets: bytes in memory as a file with a name. Linux only, as libFuzzer's users. */
+/* For the fuzz targets: bytes in memory as a file with a name. */
 #ifndef TESTS_FUZZ_FILE_H
 #define TESTS_FUZZ_FILE_H
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #define FUZZ_PATH_LENGTH 32
 
-/* Makes the file, and its path, which holds until the file is closed. Ends the program where that
- * fails. */
-static int fuzz_file(const uint8_t *bytes, size_t size, char path[FUZZ_PATH_LENGTH])
+/* Makes the file; the caller removes it. Ends the program where that fails. */
+static void fuzz_file(const uint8_t *bytes, size_t size, char path[FUZZ_PATH_LENGTH])
 {
-    const int file = memfd_create("fuzz", 0);
+    snprintf(path, FUZZ_PATH_LENGTH, "/tmp/texmap_fuzz_%d", (int)getpid());
+    FILE *file = fopen(path, "wb");
 
-    if (file < 0 || write(file, bytes, size) != (ssize_t)size) {
-        perror("fuzz");
+    if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0) {
+        perror(path);
         exit(2);
     }
-    snprintf(path, FUZZ_PATH_LENGTH, "/proc/self/fd/%d", file);
-    return file;
 }
 
 /* Ends the program, so that the fuzzer keeps the input: what should hold does not. */
