@@ -12,7 +12,6 @@
 #define DEFAULT_WIDTH 1024
 #define DEFAULT_HEIGHT 768
 #define MANY_TRIANGLES 1000 /* from here on the time of one says something */
-#define JUDGE_SECONDS 0.5 /* that judging may take beyond --seconds: one round takes less */
 #define FEW_ROUNDS 5
 #define NOISY 1.2 /* median over minimum, in more rows than ... */
 #define NOISY_SHARE 0.25
@@ -138,7 +137,7 @@ static enum outcome run(const struct options *options, struct error *error)
         return OUTCOME_FAILED;
     }
     enum outcome outcome = OUTCOME_FAILED;
-    if (bench_judge(&bench, start + seconds + JUDGE_SECONDS, error)) {
+    if (bench_judge(&bench, start + seconds, error)) {
         bench_time(&bench, start + seconds);
         print_table(&bench);
         if (!options->csv || bench_write_csv(options->csv, &bench, error)) {
