@@ -7,40 +7,36 @@
  *
  * Both do this to eight pixels at a time:
  *
- *   u = u_start + (int)change of u          16.16; v likewise
+ *   u = u_start + (int)change of u                  16.16; v likewise
  *   index = (u >> 16 & u_mask) + (v >> 16 & v_mask) * stride
- *   doubt = fraction of u or v < twice the error
+ *   in doubt where the fraction of u or v < near
  *
- *   ymm0       q, or the row            ymm11, ymm12  u, v start; the error is added
- *   ymm1-3     scratch                  ymm13         twice the error
+ *   ymm0       q, or the row            ymm11, ymm12  u_start, v_start
+ *   ymm1-3     scratch                  ymm13         near, in the low words
  *   ymm4, 8    t, then fractions        ymm14         masks: words u, v, u, v ..
  *   ymm5-7     d, steps of u and v      ymm15         1.0
- *   rdi        the mapping, then texels */
+ *   ymm9, 10   8 or -8; scratch         rdi           the mapping, then texels */
         .intel_syntax noprefix
 
-/* struct mapping */
-        .set TEXELS, 0;         .set MASKS, 8;          .set ONE_STRIDE, 12;    .set UV, 16
-/* struct rows: doubles; then the rest */
-        .set LEFT, 0;           .set RIGHT, 32;         .set W1, 64;            .set W2, 96
-        .set F1, 128;           .set F2, 152;           .set STEP, 176
-        .set ERROR, 200;        .set ERROR_BY_STEP, 208; .set ERROR_MOST, 216;  .set Y, 224
-        .set PIXELS, 232;       .set STRIDE, 240;       .set COUNT, 244;        .set FROM_RIGHT, 248
-/* struct box */
-        .set COLUMNS, 0;        .set ROWS, 4;           .set BOX_ERROR, 8
-        .set EDGES, 12;         .set EDGES_DX, 24;      .set EDGES_DY, 36
-        .set AT, 48;            .set AT_DX, 60;         .set AT_DY, 72
-/* struct doubt */
-        .set DOUBT_PIXELS, 0;   .set DOUBT_MASK, 8;     .set DOUBT_SIZE, 16
+/* struct mapping; rows, shares of SHARE bytes; box; doubt */
+        .set TEXELS, 0;     .set MASKS, 8;      .set ONE_STRIDE, 12
+        .set LEFT, 0;       .set CONSTANT, 64;  .set FRACTION, 72;  .set E_DX, 80;  .set E_DY, 88
+        .set SHARE, 32;     .set F1, 128;       .set F2, 152;       .set STEP, 176; .set UV, 200
+        .set ERROR, 216;    .set BY_STEP, 224;  .set MOST, 232;     .set Y, 240
+        .set LANES, 248;    .set LAST_LANES, 280; .set EIGHTS, 312; .set PIXELS, 344
+        .set STRIDE, 352;   .set COUNT, 360;    .set FROM_RIGHT, 364
+        .set COLUMNS, 0;    .set ROWS, 4;       .set BOX_UV, 8;     .set BOX_NEAR, 16
+        .set EDGES, 20;     .set EDGES_DX, 32;  .set EDGES_DY, 44
+        .set AT, 56;        .set AT_DX, 68;     .set AT_DY, 80
+        .set DOUBT_PIXELS, 0; .set DOUBT_MASK, 8; .set DOUBT_SIZE, 16
 
         .section .rodata
         .balign 32
 lanes:          .float  0, 1, 2, 3, 4, 5, 6, 7
-eights:         .float  8, 8, 8, 8, 8, 8, 8, 8
-eighths:        .float  .125, .125, .125, .125, .125, .125, .125, .125
 ones:           .float  1, 1, 1, 1, 1, 1, 1, 1
 integer_lanes:  .long   0, 1, 2, 3, 4, 5, 6, 7
 four_rows:      .double 0, 1, 2, 3
-four:           .double 4
+fours:          .double 4, 4, 4, 4
 one:            .double 1
 minus_zero:     .double -0.0
         .text
@@ -55,7 +51,7 @@ minus_zero:     .double -0.0
         .endm
 
 /* ymm2, ymm3: the changes of u and v, 2^-16 texel. ymm2 = the indices; \fractions = the lesser of
- * the two in the low words */
+ * the two fractions, in the low words */
         .macro  index_texels fractions
         vcvtps2dq ymm2, ymm2
         vcvtps2dq ymm3, ymm3
@@ -68,12 +64,11 @@ minus_zero:     .double -0.0
         vpmaddwd ymm2, ymm2, [rsp + STRIDES] /* u + v stride */
         .endm
 
-/* Four rows are made ready at once, a lane each, while the four before them are drawn: what one
- * row needs then stands in memory, a column of four.
+/* Four rows are made ready at once, a lane each, while the four before them are drawn.
  *
  * A row is drawn in groups of sixteen pixels. Between the making of a group's indices and the
- * fetching of its texels lie AHEAD groups: an index is known some 50 cycles after its divide began,
- * and a load that had to wait for it would keep its place in the queue of loads; the queue would be
+ * fetching of its texels lie AHEAD groups: an index is known some 50 cycles after its divide began;
+ * a load that had to wait for it would keep its place in the queue of loads, the queue would be
  * full, and the next divides could not begin. So indices wait in a ring, full at first of groups
  * that lead nowhere. Texels come by plain loads: vpgatherdd is slower on AMD's processors. A row's
  * last group ends where the row does, over pixels of the one before, which get the same texels
@@ -81,99 +76,88 @@ minus_zero:     .double -0.0
  *
  *   rsi  a row of the four        rcx  groups left          r9   the oldest group in the ring
  *   r10  column 0 in its row      r11  the group's pixels   r8   its pixels
- *   rdx  the frame's stride       rbx  the last group's     r12  the next doubt */
+ *   edx  rows left                rbx  the last group's     r12  the next doubt    r13  rows */
         .set    AHEAD, 8
         .set    GROUP_SIZE, 128         /* sixteen indices, and */
         .set    GROUP_PIXELS, 64        /* where they are drawn */
         .set    RING_BIT, 10            /* of an address; 0 in the ring, which has 2^10 bytes */
         .set    STRIDES, AHEAD * GROUP_SIZE
         .set    NOWHERE, STRIDES + 32   /* sixteen pixels, or a short row's indices */
-        .set    LANES, NOWHERE + 64     /* 0 .. 7, counted from the anchor */
-        .set    EIGHTS, LANES + 32
-        .set    FOUR_Y, EIGHTS + 32
-        .set    ROWS_LEFT, FOUR_Y + 32
-        .set    THE_ROWS, ROWS_LEFT + 8
-        .set    THE_UV, THE_ROWS + 8
+        .set    FOUR_Y, NOWHERE + 64
         .set    READY, 1536             /* four rows, */
         .set    READY_BIT, 256          /* and four more */
         .set    ROWS_FRAME, 2048        /* a power of two */
-        .set    R_X, 0;                 .set    R_COUNT, 16
-        .set    R_Q, 32;                .set    R_LAST_Q, 48
-        .set    R_STEPS, 64;            .set    R_UV, 112;              .set    R_ERROR, 144
+        .set    R_X, 0;     .set R_COUNT, 16;   .set R_Q, 32;   .set R_LAST_Q, 48
+        .set    R_STEPS, 64;                    .set R_UV, 112; .set R_NEAR, 144
 
-/* \to = rows->\from in all lanes; plus or minus \by times that */
+/* \to = rows->\from in all lanes; \to = \to \op that; \to += \by times that */
         .macro  load to, from
-        vbroadcastsd \to, [rax + \from]
+        vbroadcastsd \to, [r13 + \from]
+        .endm
+        .macro  with op, to, from
+        load    ymm10, \from
+        \op     \to, \to, ymm10
         .endm
         .macro  add_times to, by, from
-        vbroadcastsd ymm10, [rax + \from]
+        load    ymm10, \from
         vfmadd231pd \to, \by, ymm10
         .endm
-        .macro  subtract_times to, by, from
-        vbroadcastsd ymm10, [rax + \from]
-        vfnmadd231pd \to, \by, ymm10
-        .endm
 
-/* \to = x + y dx */
-        .macro  border to, from
-        load    \to, \from
-        add_times \to, ymm0, \from + 8
-        .endm
-
-/* \to = constant + dx y - dy x + fraction */
-        .macro  weight to, from
-        load    \to, \from
-        add_times \to, ymm0, \from + 16
-        subtract_times \to, ymm3, \from + 24
-        load    ymm10, \from + 8
-        vaddpd  \to, \to, ymm10
-        .endm
-
-/* ymm0 = y of four rows, rax = rows. Writes what is needed to draw them to [rsi] */
+/* ymm0 = y of four rows. Writes what is needed to draw them to [rsi] */
         .macro  make_rows_ready
-        border  ymm1, LEFT              /* x = floor(the greater of left) + 1 */
-        border  ymm2, LEFT + 16
-        vmaxpd  ymm1, ymm1, ymm2
-        border  ymm2, RIGHT             /* end = floor(the lesser of right) + 1 */
-        border  ymm3, RIGHT + 16
-        vminpd  ymm2, ymm2, ymm3
-        vbroadcastsd ymm9, [rip + one]
-        vaddpd  ymm1, ymm1, ymm9        /* both >= 0 now */
-        vaddpd  ymm2, ymm2, ymm9
-        vcvttpd2dq xmm1, ymm1
-        vcvttpd2dq xmm2, ymm2
+        .irp    side, 1, 2              /* crossed at x + y dx */
+        load    ymm\side, LEFT+32*(\side-1)
+        add_times ymm\side, ymm0, LEFT+32*(\side-1)+8
+        load    ymm3, LEFT+32*(\side-1)+16
+        add_times ymm3, ymm0, LEFT+32*(\side-1)+24
+        .if     \side == 1
+        vmaxpd  ymm1, ymm1, ymm3        /* beyond both left edges */
+        .else
+        vminpd  ymm2, ymm2, ymm3        /* and before both right ones */
+        .endif
+        .endr
+        vbroadcastsd ymm9, [rip + one]  /* x, end = floor(..) + 1, >= 0 */
+        .irp    i, 1, 2
+        vaddpd  ymm\i, ymm\i, ymm9
+        vcvttpd2dq xmm\i, ymm\i
+        .endr
         vpsubd  xmm2, xmm2, xmm1        /* count = end - x */
         vmovdqa [rsi + R_X], xmm1
         vmovdqa [rsi + R_COUNT], xmm2
 
         vpcmpeqd xmm5, xmm5, xmm5
-        vpaddd  xmm2, xmm2, xmm5        /* anchor = count - 1 or 0 */
-        vpbroadcastd xmm3, [rax + FROM_RIGHT]
-        vpand   xmm3, xmm3, xmm2
+        vpaddd  xmm2, xmm2, xmm5        /* the largest q = count - 1 */
+        vpbroadcastd xmm3, [r13 + FROM_RIGHT]
+        vpand   xmm3, xmm3, xmm2        /* q of the first pixel: that or 0 */
         vcvtdq2ps xmm4, xmm3
-        vmovaps [rsi + R_Q], xmm4       /* q of the first pixel */
+        vmovaps [rsi + R_Q], xmm4
+        vpsubd  xmm4, xmm2, xmm3        /* of the last */
+        vcvtdq2ps xmm4, xmm4
+        vmovaps [rsi + R_LAST_Q], xmm4
         vpaddd  xmm3, xmm3, xmm1
         vcvtdq2pd ymm3, xmm3            /* x of the anchor */
-        vcvtdq2pd ymm8, xmm2            /* the largest q */
+        vcvtdq2pd ymm8, xmm2
 
-        weight  ymm4, W1
-        weight  ymm5, W2
-        vmovapd ymm1, ymm9              /* 1/z = 1 + w1 f1 + w2 f2 */
+        .irp    w, 4, 5                 /* w1, w2 = constant + dx y - dy x + fraction */
+        load    ymm\w, SHARE*(\w-4)+CONSTANT
+        add_times ymm\w, ymm0, SHARE*(\w-4)+E_DX
+        load    ymm10, SHARE*(\w-4)+E_DY
+        vfnmadd231pd ymm\w, ymm3, ymm10
+        with    vaddpd, ymm\w, SHARE*(\w-4)+FRACTION
+        .endr
+        vmovapd ymm1, ymm9              /* z = 1 / (1 + w1 f1 + w2 f2) */
         add_times ymm1, ymm4, F1
         add_times ymm1, ymm5, F2
-        vdivpd  ymm1, ymm9, ymm1        /* z */
-        load    ymm10, F1 + 8           /* u = (w1 f1 + w2 f2) z */
-        vmulpd  ymm2, ymm4, ymm10
-        add_times ymm2, ymm5, F2 + 8
-        vmulpd  ymm2, ymm2, ymm1
-        load    ymm10, F1 + 16          /* v */
-        vmulpd  ymm3, ymm4, ymm10
-        add_times ymm3, ymm5, F2 + 16
-        vmulpd  ymm3, ymm3, ymm1
-
+        vdivpd  ymm1, ymm9, ymm1
+        .irp    i, 2, 3                 /* u, v = (w1 f1 + w2 f2) z */
+        load    ymm\i, F1+8*(\i-1)
+        vmulpd  ymm\i, ymm\i, ymm4
+        add_times ymm\i, ymm5, F2+8*(\i-1)
+        vmulpd  ymm\i, ymm\i, ymm1
+        .endr
         load    ymm4, STEP              /* d = step of 1/z, times z */
-        load    ymm5, STEP + 8          /* u's step = (step of u/z - u step of 1/z) z */
-        load    ymm6, STEP + 16
+        load    ymm5, STEP+8            /* u's step = (step of u/z - u step of 1/z) z */
+        load    ymm6, STEP+16
         vfnmadd231pd ymm5, ymm2, ymm4
         vfnmadd231pd ymm6, ymm3, ymm4
         .irp    i, 4, 5, 6
@@ -183,29 +167,23 @@ minus_zero:     .double -0.0
         .endr
 
         vbroadcastsd ymm10, [rip + minus_zero]
-        vandnpd ymm5, ymm10, ymm5       /* error + the lesser of error_most and error_by_step */
-        vandnpd ymm6, ymm10, ymm6       /*   times the larger of |u's step|, |v's step| */
-        vmaxpd  ymm5, ymm5, ymm6        /*   times the largest q */
-        load    ymm10, ERROR_BY_STEP
-        vmulpd  ymm5, ymm5, ymm10
-        load    ymm10, ERROR_MOST
+        vandnpd ymm5, ymm10, ymm5       /* error + min(most, by_step * the largest q */
+        vandnpd ymm6, ymm10, ymm6       /*   * max(|u's step|, |v's step|)) */
+        vmaxpd  ymm5, ymm5, ymm6
         vmulpd  ymm5, ymm5, ymm8
-        vminpd  ymm5, ymm5, ymm10
-        load    ymm10, ERROR
-        vaddpd  ymm5, ymm5, ymm10
+        with    vmulpd, ymm5, BY_STEP
+        with    vminpd, ymm5, MOST
+        with    vaddpd, ymm5, ERROR
+        .irp    i, 2, 3                 /* u, v + error */
+        with    vaddpd, ymm\i, UV+8*(\i-2)
+        vaddpd  ymm\i, ymm\i, ymm5
+        vcvtpd2dq xmm\i, ymm\i
+        vmovdqa [rsi + R_UV + 16 * (\i - 2)], xmm\i
+        .endr
+        vaddpd  ymm5, ymm5, ymm5        /* near = 2 error + 1, cut */
+        vaddpd  ymm5, ymm5, ymm9
         vcvttpd2dq xmm5, ymm5
-        vcvtpd2dq xmm2, ymm2
-        vcvtpd2dq xmm3, ymm3
-        vpbroadcastd xmm6, [rsp + THE_UV]
-        vpbroadcastd xmm7, [rsp + THE_UV + 4]
-        vpaddd  xmm2, xmm2, xmm6
-        vpaddd  xmm3, xmm3, xmm7
-        vpaddd  xmm2, xmm2, xmm5
-        vpaddd  xmm3, xmm3, xmm5
-        vpaddd  xmm5, xmm5, xmm5
-        vmovdqa [rsi + R_UV], xmm2
-        vmovdqa [rsi + R_UV + 16], xmm3
-        vmovdqa [rsi + R_ERROR], xmm5
+        vmovdqa [rsi + R_NEAR], xmm5
         .endm
 
 /* \t = q / (1 + q d) of eight pixels; q goes on */
@@ -224,23 +202,9 @@ minus_zero:     .double -0.0
         vmovdqa \to, ymm2
         .endm
 
-/* Draws the oldest group and puts the one at q, \pixels, in its place: first the divides, then what
- * need not wait for them. A group in doubt is remembered */
-        .macro  draw_and_make pixels
-        mov     r8, [r9 + GROUP_PIXELS]
-        mov     [r9 + GROUP_PIXELS], \pixels
-        begin_half ymm4
-        begin_half ymm8
-        draw_group
-        end_half ymm4, [r9]
-        end_half ymm8, [r9 + 32]
-        add     r9, GROUP_SIZE
-        btr     r9, RING_BIT
-        ask_doubt \pixels
-        .endm
-
 /* Fetches the group at r9. Uses rax */
         .macro  draw_group
+        mov     r8, [r9 + GROUP_PIXELS]
         .irp    i, 0, 16, 32, 48
         mov     eax, [r9 + \i]
         vmovd   xmm1, [rdi + rax * 4]
@@ -254,7 +218,26 @@ minus_zero:     .double -0.0
         .endr
         .endm
 
-/* Is a fraction of these sixteen pixels below twice the error? */
+/* To the next in the ring */
+        .macro  next_group
+        add     r9, GROUP_SIZE
+        btr     r9, RING_BIT
+        .endm
+
+/* Draws the oldest group and puts the one at q, \pixels, in its place: first the divides, then what
+ * need not wait for them */
+        .macro  draw_and_make pixels
+        begin_half ymm4
+        begin_half ymm8
+        draw_group
+        end_half ymm4, [r9]
+        end_half ymm8, [r9 + 32]
+        mov     [r9 + GROUP_PIXELS], \pixels
+        next_group
+        ask_doubt \pixels
+        .endm
+
+/* Is a fraction of these sixteen pixels below near? Uses rax, r8 */
         .macro  ask_doubt pixels
         vpminuw ymm1, ymm4, ymm8
         vpsubusw ymm1, ymm13, ymm1      /* 0 where it is not */
@@ -273,22 +256,15 @@ coda_draw_rows:
         mov     rbp, rsp
         push    rbx
         push    r12
+        push    r13
         sub     rsp, ROWS_FRAME
         and     rsp, -ROWS_FRAME
         mov     r12, rdx
-        mov     [rsp + THE_ROWS], rsi
-        mov     rax, [rdi + UV]
-        mov     [rsp + THE_UV], rax
+        mov     r13, rsi
         load_mapping
-        vbroadcastsd ymm0, [rsi + Y]
+        vbroadcastsd ymm0, [r13 + Y]
         vaddpd  ymm0, ymm0, [rip + four_rows]
         vmovapd [rsp + FOUR_Y], ymm0
-        vpbroadcastd ymm1, [rsi + FROM_RIGHT]
-        vpslld  ymm1, ymm1, 31          /* the sign in which q counts */
-        vpor    ymm9, ymm1, [rip + eights]
-        vpor    ymm1, ymm1, [rip + lanes]
-        vmovaps [rsp + EIGHTS], ymm9
-        vmovaps [rsp + LANES], ymm1
 
         vpxor   xmm0, xmm0, xmm0        /* a ring of groups that lead nowhere, */
         lea     rax, [rsp + NOWHERE]
@@ -300,24 +276,20 @@ coda_draw_rows:
         mov     [rsp + r9 + GROUP_PIXELS], rax
         jnz     .Lempty
         mov     r9, rsp
-        movsxd  rdx, dword ptr [rsi + STRIDE] /* and four rows without pixels, above the first */
-        mov     r10, [rsi + PIXELS]
-        mov     rax, rdx
-        shl     rax, 4
-        sub     r10, rax
-        mov     eax, [rsi + COUNT]
-        add     eax, 4
-        mov     [rsp + ROWS_LEFT], eax
-        lea     rsi, [rsp + READY]
+        lea     rsi, [rsp + READY]      /* and four rows without pixels, above the first */
         vmovdqa [rsi + READY_BIT + R_COUNT], xmm0
+        mov     edx, [r13 + COUNT]
+        add     edx, 4
+        mov     rax, [r13 + STRIDE]
+        mov     r10, [r13 + PIXELS]
+        shl     rax, 2
+        sub     r10, rax
 
 .Lfour: vmovapd ymm0, [rsp + FOUR_Y]
-        mov     rax, [rsp + THE_ROWS]
         make_rows_ready
-        vbroadcastsd ymm10, [rip + four]
-        vaddpd  ymm0, ymm0, ymm10
+        vaddpd  ymm0, ymm0, [rip + fours]
         vmovapd [rsp + FOUR_Y], ymm0
-        vmovaps ymm9, [rsp + EIGHTS]
+        vmovups ymm9, [r13 + EIGHTS]
         xor     rsi, READY_BIT
 
 .Lrow:  mov     ecx, [rsi + R_COUNT]
@@ -326,18 +298,16 @@ coda_draw_rows:
         movsxd  rax, dword ptr [rsi + R_X]
         lea     r11, [r10 + rax * 4]
         vbroadcastss ymm0, [rsi + R_Q]
-        vaddps  ymm0, ymm0, [rsp + LANES]
-        vbroadcastss ymm5, [rsi + R_STEPS]
-        vbroadcastss ymm6, [rsi + R_STEPS + 16]
-        vbroadcastss ymm7, [rsi + R_STEPS + 32]
-        vpbroadcastd ymm11, [rsi + R_UV]
-        vpbroadcastd ymm12, [rsi + R_UV + 16]
-        vpbroadcastd ymm13, [rsi + R_ERROR]
+        vaddps  ymm0, ymm0, [r13 + LANES]
+        .irp    i, 5, 6, 7
+        vbroadcastss ymm\i, [rsi + R_STEPS + 16 * (\i - 5)]
+        .endr
+        .irp    i, 11, 12, 13           /* R_UV, R_NEAR */
+        vpbroadcastd ymm\i, [rsi + R_UV + 16 * (\i - 11)]
+        .endr
         sub     ecx, 16
         jl      .Lshort
         lea     rbx, [r11 + rcx * 4]
-        vcvtsi2ss xmm10, xmm15, ecx
-        vbroadcastss ymm10, xmm10       /* count - 16 */
         add     ecx, 15
         shr     ecx, 4                  /* (count - 1) / 16 */
         jz      .Llast
@@ -347,14 +317,12 @@ coda_draw_rows:
         add     r11, 64
         dec     ecx
         jnz     .Lgroup
-.Llast: vbroadcastss ymm0, [rsi + R_Q]  /* q + (count - 16) + lanes, counted from the anchor */
-        vmulps  ymm10, ymm10, ymm9
-        vfmadd231ps ymm0, ymm10, [rip + eighths]
-        vaddps  ymm0, ymm0, [rsp + LANES]
+.Llast: vbroadcastss ymm0, [rsi + R_LAST_Q]
+        vaddps  ymm0, ymm0, [r13 + LAST_LANES]
         draw_and_make rbx
-.Lnext: lea     r10, [r10 + rdx * 4]
+.Lnext: add     r10, [r13 + STRIDE]
         add     rsi, 4
-        dec     dword ptr [rsp + ROWS_LEFT]
+        dec     edx
         jz      .Lrest
         test    esi, 15
         jnz     .Lrow
@@ -363,16 +331,16 @@ coda_draw_rows:
 
 .Lrest: mov     ecx, AHEAD
 .Lolder:
-        mov     r8, [r9 + GROUP_PIXELS]
         draw_group
-        add     r9, GROUP_SIZE
-        btr     r9, RING_BIT
+        next_group
         dec     ecx
         jnz     .Lolder
         mov     rax, r12
-        mov     rbx, [rbp - 8]
-        mov     r12, [rbp - 16]
-        leave
+        lea     rsp, [rbp - 24]
+        pop     r13
+        pop     r12
+        pop     rbx
+        pop     rbp
         vzeroupper                      /* or SSE code after it would wait for the upper halves */
         ret
 
@@ -391,14 +359,14 @@ coda_draw_rows:
         ask_doubt r11
         jmp     .Lnext
 
-/* Remembers the sixteen pixels at rax. Uses r8 */
+/* Remembers which of the sixteen pixels at rax */
 .Ldoubt:
         mov     [r12 + DOUBT_PIXELS], rax
-        vpsubusw ymm4, ymm13, ymm4
-        vpsubusw ymm8, ymm13, ymm8
         vpxor   xmm1, xmm1, xmm1
-        vpcmpgtd ymm4, ymm4, ymm1
-        vpcmpgtd ymm8, ymm8, ymm1
+        .irp    i, 4, 8
+        vpsubusw ymm\i, ymm13, ymm\i
+        vpcmpgtd ymm\i, ymm\i, ymm1
+        .endr
         vmovmskps eax, ymm4
         vmovmskps r8d, ymm8
         shl     r8d, 8
@@ -470,12 +438,9 @@ coda_draw_box:
         vbroadcastss ymm8, [rsi + AT_DY]
         vbroadcastss ymm9, [rsi + AT_DY + 4]
         vbroadcastss ymm10, [rsi + AT_DY + 8]
-        vpbroadcastd ymm13, [rsi + BOX_ERROR]
-        vpbroadcastd ymm11, [rdi + UV]
-        vpbroadcastd ymm12, [rdi + UV + 4]
-        vpaddd  ymm11, ymm11, ymm13
-        vpaddd  ymm12, ymm12, ymm13
-        vpaddd  ymm13, ymm13, ymm13
+        vpbroadcastd ymm11, [rsi + BOX_UV]
+        vpbroadcastd ymm12, [rsi + BOX_UV + 4]
+        vpbroadcastd ymm13, [rsi + BOX_NEAR]
         mov     r9d, [rsi + ROWS]
         load_mapping
         vxorps  xmm0, xmm0, xmm0        /* row 0 */

@@ -1,3 +1,3 @@
 # stage5_asm/coda.S: coda: the coda's calls touch frame and texture only, and keep the calling convention
-# rbx comes back with where the last group was drawn.
-/mov     rbx, \[rbp - 8\]/d
+# r12 is not brought back.
+s/^        pop     r12$/        pop     rcx/
