@@ -193,9 +193,11 @@ test-page: $(BUILD)/texmap
 test-exercises: $(EXERCISES) $(LIBRARIES)
 	@sh tests/lessons/exercise.sh $(BUILD) prove $^
 
-#: make test-long     stage 5's assembly against stage 4's C in 100 million spans: a minute
+#: make test-long     stage 5's assembly against stage 4's C in 100 million spans, and the coda's error
+#:                    in 100 million coordinates: a minute
 test-long: $(BUILD)/test
 	@TEXMAP_SEGMENTS=100000000 $(BUILD)/test asm
+	@TEXMAP_COORDINATES=100000000 $(BUILD)/test coda
 
 #: make test-matrix   the same frames from gcc and clang at -O0 to -O3 and -Os, and -march=native
 #: make test-contract a build that may fuse a*b + c draws other frames, and the tests notice

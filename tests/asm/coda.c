@@ -32,7 +32,7 @@ void coda_draw_rows(void), coda_draw_box(void);
 #define RATIO_LOG2_MAX 16
 
 #define COORDINATES_VARIABLE "TEXMAP_COORDINATES"
-#define COORDINATES 3000000
+#define COORDINATES 10000000
 #define MEASURED_WIDTH 1024
 #define MEASURED_HEIGHT 32
 
