@@ -7,7 +7,7 @@
 #include <string.h>
 #include "tests/asm/asm.h"
 #include "tests/asm/call_checked.h"
-#include "tests/unit/gates.h"
+#include "tests/judge/judge.h"
 
 #ifdef TEXMAP_STAGE5
 
@@ -60,10 +60,10 @@ static void texels_of(struct random *random, struct vertex v[3], int size)
     const double place = random_int(random, 0, 1) ? any : floor(any) + 0.5; /* a border */
 
     switch (random_int(random, 0, 5)) {
-    case 0: gate_texels(random, v, -TEXEL_MAX, TEXEL_MAX); break;
-    case 1: gate_texels(random, v, place, place); break;
-    case 2: gate_texels(random, v, place, place + random_real(random, 0, 1)); break;
-    default: gate_texels(random, v, -0.5, size - 0.5); break;
+    case 0: case_texels(random, v, -TEXEL_MAX, TEXEL_MAX); break;
+    case 1: case_texels(random, v, place, place); break;
+    case 2: case_texels(random, v, place, place + random_real(random, 0, 1)); break;
+    default: case_texels(random, v, -0.5, size - 0.5); break;
     }
 }
 
@@ -76,7 +76,7 @@ static void next_plane(struct job *job, struct random *random, struct interpolan
     struct gradients *g = job->g;
     struct vertex v[3], other[3];
 
-    gate_depths(random, v, random_int(random, 0, DEPTH_RATIO_LOG2));
+    case_depths(random, v, random_int(random, 0, DEPTH_RATIO_LOG2));
     texels_of(random, v, job->texture.width);
     texels_of(random, other, job->texture.height);
     for (int i = 0; i < 3; i++) {

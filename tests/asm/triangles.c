@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "tests/asm/asm.h"
-#include "tests/unit/gates.h"
+#include "tests/judge/judge.h"
 
 #ifdef TEXMAP_STAGE5
 
@@ -67,7 +67,7 @@ static bool draw_both(struct frames *frames, const struct vertex v[3], char text
 
     stage4_draw_triangle(&frames->twin, &frames->texture, v);
     if (!inside || !rows_same(frames, v)) {
-        return gate_failed(text, v, &frames->own, "%s", inside ? "drawn differently"
+        return case_failed(text, v, &frames->own, "%s", inside ? "drawn differently"
                                                                : "touches a guard page");
     }
     return true;
@@ -107,8 +107,8 @@ static bool random_triangles(struct random *random, int width, int height, int c
             v[2].x = beside(random, v[0].x, width);
             v[2].y = beside(random, v[0].y, height);
         }
-        gate_depths(random, v, random_int(random, 0, DEPTH_RATIO_LOG2));
-        gate_texels(random, v, -TEXEL_MAX, TEXEL_MAX);
+        case_depths(random, v, random_int(random, 0, DEPTH_RATIO_LOG2));
+        case_texels(random, v, -TEXEL_MAX, TEXEL_MAX);
         same = draw_both(&frames, v, text);
     }
     frames_destroy(&frames);

@@ -16,6 +16,7 @@
 #define ROUNDS 31
 #define TIME_TRIES 4 /* a machine that does other things too may be slow once */
 #define TEXT 1200
+#define ANYWHERE 1e6 /* texels */
 
 /* The reader's stage as the exercise wants it, and the stage that it was made of. */
 struct subject {
@@ -304,6 +305,9 @@ static const struct exercise {
     {"5_1", "5", 16, false, COVERAGE | OWN_RANGE,
      {{"random triangles", random_cases, NULL, 0}, {"wall", same_frame, "wall", 0.05},
       {"floor", same_frame, "floor", 0.05}, {"wall", time_taken, "wall", 1.4}}},
+    {"5_2", "5", 16, false, SAME_PROMISES,
+     {{"random triangles", random_cases, NULL, 0}, {"floor", same_frame, "floor", 0},
+      {"mesh", same_frame, "mesh", 0}, {"mesh", time_taken, "mesh", 1.4}}},
 };
 
 static const struct exercise *exercise_find(const char *name)
@@ -344,12 +348,13 @@ int main(int argc, char **argv)
     subject.own = *stage_find("mine");
     subject.own.grid = exercise->grid;
     subject.own.truncates = exercise->truncates;
-    if (exercise->promises != SAME_PROMISES) {
+    if (exercise->promises == SAME_PROMISES) {
+        subject.own.twin = subject.stage->twin;
+    } else {
         subject.own.promises = exercise->promises;
     }
-    if (subject.own.segment_length > 1) {
-        subject.own.rounding = 1; /* where it divides is the reader's business: how near u and v */
-                                  /* are is measured on the scenes */
+    if (exercise->grid == 16 && !(subject.own.promises & TEXELS)) {
+        subject.own.tie = ANYWHERE; /* how near u and v are is measured on the scenes */
     }
     return judge(exercise, &subject) ? 0 : 1;
 }

@@ -1,0 +1,4 @@
+# span.S
+# Half more, for falling coordinates too.
+s/^        cvttps2dq \\end, \\end/        addps   \\end, [rip + halves]\
+&/
