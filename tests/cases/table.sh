@@ -1,8 +1,9 @@
 #!/bin/sh
-# tests/cases/table.sh: the stability table as Markdown, a row a case. What happens in it is said at
-# the head of its file, its numbers are in tests/results/stability.csv, from make stability.
+# tests/cases/table.sh [NAME...]: the stability table as Markdown, a row a case; of all cases, for a
+# page in this folder, or of those that are named, for one at the top. What happens in a case is said
+# at the head of its file; its numbers are in tests/results/stability.csv, from make stability.
 
-awk -F, '
+awk -F, -v only="$*" '
     # Of the file that is being read: the comment`s parts.
     function head(line) {
         sub(/^# ?/, "", line)
@@ -29,9 +30,13 @@ awk -F, '
         printf "\n|---|---|---|"
         for (i = 1; i <= stage_count; i++) printf "---:|"
         printf "\n"
+        if (only) {
+            folder = "tests/cases/"
+            count = split(only, rows, " ")
+        }
         for (k = 1; k <= count; k++) {
             name = rows[k]
-            printf "| [%s](%s.tri) | %s | %s, %s |", name, name, text[name], measure[name],
+            printf "| [%s](" folder "%s.tri) | %s | %s, %s |", name, name, text[name], measure[name],
                 unit[name]
             for (i = 1; i <= stage_count; i++) printf " %s |", cell[name, stages[i]]
             printf "\n"

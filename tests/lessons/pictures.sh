@@ -26,6 +26,10 @@ picture() {
     fi
 }
 
+for stage in 1 2 3 4 coda; do # one place, as every stage sees it, and where it errs
+    picture tests/results/view_$stage.png render --stage $stage --scene room --frame 40
+    picture tests/results/view_${stage}_error.png diff --stages $stage,exact --scene room --frame 40
+done
 picture stage1_float/affine.png render --stage segment_span --scene wall
 picture stage1_float/perspective.png render --stage 1 --scene wall
 picture stage2_dda/difference_wall.png diff --stages 1,2 --scene wall

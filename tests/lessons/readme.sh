@@ -12,7 +12,6 @@
 # from here; links lead somewhere; no text is longer than agreed. TEXMAP_BUILD is where texmap is.
 
 results=tests/results/bench.csv
-cases=tests/results/stability.csv
 stages='stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide stage5_asm coda'
 segments='stage3_fixed28_4 segment_4 segment_8 stage4_subdivide segment_32 segment_64 segment_span'
 
@@ -117,29 +116,31 @@ machine() {
         value["stage1_float", "wall", "width"], value["stage1_float", "wall", "height"]'
 }
 
-# stability: a row a case, a column a stage; what fails, as it is said to, in bold.
-stability() {
+# views: one place as every stage sees it, where it errs, and by how much.
+views() {
+    texmap accuracy --stage all --scene room --frame 40 --size 256x192 \
+        --csv "$TEXMAP_BUILD/views.csv" > "$TEXMAP_BUILD/views.txt"
     awk -F, '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { key = $at["case"] " | " $at["measured"] " | " $at["unit"]; stage = $at["stage"] }
-        !(key in row) { row[key]; rows[++row_count] = key }
-        !(stage in column) { column[stage]; columns[++column_count] = stage }
+        /^#/ { next }
+        !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+        $1 == "stage5_asm" { next } # frames of stage 4
         {
-            bold = $at["verdict"] == "holds" || $at["verdict"] == "n/a" ? "" : "**"
-            value = $at["value"]
-            cell[key, stage] = value ~ /^-?[0-9.]/ ? bold sprintf("%.3g", value) bold : "-"
+            file = $1
+            sub(/^stage/, "", file)
+            sub(/_.*/, "", file)
+            title = title " " ($1 ~ /^stage4/ ? $1 ", stage5_asm" : $1) " |"
+            bars = bars "---|"
+            seen = seen " ![" $1 "](tests/results/view_" file ".png) |"
+            errs = errs " ![" $1 ", its errors](tests/results/view_" file "_error.png) |"
+            wrong = wrong sprintf(" %.1f %% |", $at["wrong_texel_pct"])
+            step = $at["ruler_step"]
+            rms = $at["position_rms"]
+            off = off (rms < step ? sprintf(" &lt; 1/%d |", 1 / step + .5) : sprintf(" %.1f |", rms))
         }
         END {
-            printf "| case | measured | unit |"
-            for (i = 1; i <= column_count; i++) printf " %s |", columns[i]
-            printf "\n|---|---|---|"
-            for (i = 1; i <= column_count; i++) printf "---:|"
-            for (k = 1; k <= row_count; k++) {
-                printf "\n| %s |", rows[k]
-                for (i = 1; i <= column_count; i++) printf " %s |", cell[rows[k], columns[i]]
-            }
-            print "\n\n**Bold**: the method fails there, by that much; `make test` holds it to it."
-        }' $cases
+            print "| |" title "\n|---|" bars "\n| picture |" seen "\n| its errors |" errs
+            print "| wrong texels |" wrong "\n| position error, texels |" off
+        }' "$TEXMAP_BUILD/views.csv"
 }
 
 # function STAGE NAME: that function's code, without the comment above it and what only traces.
