@@ -67,6 +67,11 @@ class Run {
     } else {
       this.row[side] += 1;
     }
+    const y = this.row[side], top = this.corners[this.corner[side][0]];
+    event.path = !first /* a step's: down, and then the carry; the prestep's: down, then right */
+      ? [[this.x[side], y - 1], [this.x[side] + (this.stage > 1 ? v.x_step : v.x - this.x[side]), y],
+        [v.x, y]]
+      : [[top.x, top.y], [this.stage > 1 ? top.x : v.x, y], [v.x, y]];
     this.x[side] = v.x;
     Object.assign(event, { side, y: this.row[side], corners: this.corner[side],
       edge: this.corner[side].map((k) => [this.corners[k].x, this.corners[k].y]) });
@@ -254,7 +259,7 @@ function explainSegment(run, event) {
 function exactLine(name, value, got) {
   const right = Math.floor(value + 0.5), same = (texel) => ((got - texel) & SIDE - 1) === 0;
   const border = Math.abs(value + 0.5 - Math.round(value + 0.5)) < 1e-6;
-  return `exact ${name} = ${s(value)}: texel ${border ? `${right - 1} or ` : ""}${right}, ` +
+  return `exact ${name} = ${s(value)}: texel ${border ? `${s(right - 1)} or ` : ""}${s(right)}, ` +
     (same(right) || border && same(right - 1) ? "the same" : `not ${got}`);
 }
 
@@ -283,7 +288,7 @@ function explainPixel(run, event, was, exact) {
     const span = run.at(event.span).v;
     return { title,
       text: "The divide gives z back, and z gives u and v. They are rounded to the nearest " +
-        "texel; which way a half goes, the span has chosen.",
+        "texel. Which way a half goes was chosen for the span: step back to it for the reason.",
       formulas: [z, both.map((n) => (rises(span, `${n}_over_z`)
         ? `${n} rises: floor(${s(v[n])} + 1/2) = ${v[`texel_${n}`]}`
         : `${n} falls: ceil(${s(v[n])} \u2212 1/2) = ${v[`texel_${n}`]}`)), compared] };

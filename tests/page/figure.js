@@ -3,7 +3,7 @@
 
 const MARGIN = 26;          /* CSS pixels for the numbers along the border */
 const FIGURE_HEIGHT_MAX = 520;
-const CELLS_MAX = 26;       /* CSS pixels a pixel of the frame is at most drawn with */
+const CELLS_MAX = 60;       /* CSS pixels a pixel of the frame is at most drawn with */
 
 /* A pixel's colour: texels alternate, in squares of 16 where there are many. */
 function texelColour(pixel, shift) {
@@ -181,6 +181,11 @@ class Figure {
     if (step.edge) {
       const [from, to] = step.edge.map((p) => this.toCanvas(...p));
       line(c, ...from, ...to, colour("now"), 6);
+      step.path.map((p) => this.toCanvas(...p)).forEach((at, i, all) => {
+        c.fillStyle = colour("accent");
+        c.fillRect(at[0] - 4, at[1] - 4, 8, 8);
+        line(c, ...(all[i - 1] || at), ...at, colour("accent"), 3);
+      });
     }
   }
 

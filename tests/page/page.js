@@ -16,6 +16,7 @@ async function start() {
   const page = { stages: await Stages.load() };
   page.cases = new Cases(page.stages);
   page.stepper = new Stepper(page.stages, page.cases);
+  const found = Address.read();
   page.ready = performance.now();
   page.swim = new Swim(await Stages.load()); /* memory of its own: it runs beside the stepper */
   page.lanes = new Lanes();
@@ -26,7 +27,9 @@ async function start() {
     Object.keys(colours).forEach((name) => delete colours[name]);
     dispatchEvent(new Event("resize"));
   });
-  Address.read();
+  if (!found) {
+    Address.read();
+  }
   page.loaded = true;
   window.page = page; /* for tests, and for curious readers */
 }

@@ -101,13 +101,15 @@ class Panels {
 }
 
 /* The lines that computed what the trace call in an event's line reports: those above it, to the
- * last blank line, comment or brace; of a pixel its store, in the line below. */
+ * last blank line, comment or brace; of a pixel the store and the step below it, too. */
 function statementsOf(lines, event) {
   let first = event.line - 1, end = event.line;
   while (first > 0 && /[^\s{}/]\s*(\/\*.*\*\/)?$/.test(lines[first - 1])) {
     first -= 1;
   }
-  end += KINDS[event.kind] === "pixel" ? 1 : 0;
+  while (KINDS[event.kind] === "pixel" && !/^\s*}/.test(lines[end])) {
+    end += 1;
+  }
   return Array.from({ length: end - first }, (_, i) => first + i);
 }
 

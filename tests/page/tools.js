@@ -156,9 +156,10 @@ const Address = {
     this.ready = true;
     const [name, query] = location.hash.slice(1).split("?");
     if (!this.parts[name] || query === undefined) {
-      return;
+      return false; /* none, or one whose part is not there yet */
     }
     this.parts[name].open(Object.fromEntries(new URLSearchParams(query)));
     byId(name).scrollIntoView();
+    return true;
   },
 };
