@@ -67,11 +67,10 @@ class Run {
     } else {
       this.row[side] += 1;
     }
-    const y = this.row[side], top = this.corners[this.corner[side][0]];
-    event.path = !first /* a step's: down, and then the carry; the prestep's: down, then right */
-      ? [[this.x[side], y - 1], [this.x[side] + (this.stage > 1 ? v.x_step : v.x - this.x[side]), y],
-        [v.x, y]]
-      : [[top.x, top.y], [this.stage > 1 ? top.x : v.x, y], [v.x, y]];
+    const y = this.row[side], top = this.corners[this.corner[side][0]], was = this.x[side];
+    event.path = first /* the prestep: down, then right; a step: down, then the carry */
+      ? [[top.x, top.y], [this.stage > 1 ? top.x : v.x, y], [v.x, y]]
+      : [[was, y - 1], [this.stage > 1 ? was + v.x_step : v.x, y], [v.x, y]];
     this.x[side] = v.x;
     Object.assign(event, { side, y: this.row[side], corners: this.corner[side],
       edge: this.corner[side].map((k) => [this.corners[k].x, this.corners[k].y]) });
@@ -208,7 +207,7 @@ function explainSpan(run, { v, y, first, end, left, right }) {
     title: `Span: scanline ${y}`,
     text: "A pixel belongs to the triangle when its centre lies between the edges. A centre on " +
       "the left edge is in, one on the right edge is out: so two triangles that share an edge " +
-      `share no pixel.${run.stage === 3 ? ` Texels are rounded by one rule a span.${ROUNDED}` : ""}`,
+      `share no pixel.${run.stage === 3 ? ` One rule for the span rounds texels.${ROUNDED}` : ""}`,
     formulas: [
       run.stage === 1
         ? [`first = ceil(${s(left)}) = ${first},  end = ceil(${s(right)}) = ${end}`, list,
