@@ -187,8 +187,8 @@ static inline void draw_span(struct image *frame, const struct image *texture,
     const real v_rounding = rounding(at.v_over_z, dx.v_over_z, at, dx);
 
     /* Along a span u rises or falls all the way: within the range at both ends, it is between.
-     * Adding dx n times errs by n |u| 2^-53 times the depths' ratio: up to 2^32 2^-53 the margin
-     * holds it. Beyond, in the longest and steepest, the mask alone does. */
+     * Adding dx n times errs by 2^-52 n |u| r, r the ratio of the depths: the margin is enough for
+     * n |u| r <= 2^31. Beyond, in the longest and steepest spans, the mask alone protects. */
     const struct interpolants end = add(at, scale(last, dx));
     at.u_over_z = clamp(at.u_over_z, at.one_over_z, g->u);
     at.v_over_z = clamp(at.v_over_z, at.one_over_z, g->v);

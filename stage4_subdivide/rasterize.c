@@ -67,7 +67,7 @@ static inline struct corner corner_setup(const struct vertex *v)
 }
 
 struct range { float low, high; }; /* of u or v */
-#define TEXEL_MARGIN 0x1p-7f /* more than rounding adds below; bends a segment by as much */
+#define TEXEL_MARGIN 0x1p-7f /* 512 in 16.16: roundings below add up to 430 at |u| = 2^14 */
 
 /* Where u stays so that only texels lo = floor(min + 1/2) .. hi = ceil(max - 1/2) show, min and
  * max being those of the vertices: from lo - 1/2 to hi + 1/2. A u that is constant, on the border

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/trace/vanishes.sh: do the macros of common/trace.h vanish from a normal build? Stages 1 to 4
+# tests/trace/vanishes.sh: do the macros of common/trace.h vanish from a normal build? The stages
 # as they are, and with their trace lines blanked, must become the same instructions, byte for byte;
 # and with macros that mean something they must not, or this would see nothing.
 # TEXMAP_BUILD/flags says how to compile.
@@ -12,7 +12,7 @@ assemble() {
     $compile -g0 -S -x c -o - "$@" - || echo "no assembly: $*"
 }
 
-for source in stage[1-4]_*/rasterize.c; do
+for source in stage[1-5]_*/rasterize.c; do
     name="its trace lines leave nothing in a normal build of $source"
     lines=$(grep -c '^ *TRACE_[A-Z_]*(.*);$' "$source")
     as_it_is=$(assemble < "$source")

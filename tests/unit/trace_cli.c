@@ -90,6 +90,30 @@ static void test_output(void)
     csv_destroy(&csv);
 }
 
+/* Drawn at half its size: every pixel lies on the border of two texels along both axes. */
+#define HALF_SIZE "-0.5 -0.5 3 -0.5 -0.5\n7.5 -0.5 3 15.5 -0.5\n7.5 7.5 3 15.5 15.5\n"
+
+static void test_borders_and_clipping(void)
+{
+    const bool written = cli_write("half.tri", HALF_SIZE);
+
+    for (int stage = 3; written && stage <= 4; stage++) {
+        const int status = cli_run("trace --stage %d --triangles half.tri --size 9x9", stage);
+        check(status == 0 && count_in(CLI_STDOUT, "\nrow ") == 8 &&
+                  count_in(CLI_STDOUT, " *\n") == 0,
+              "trace: on a border between two texels either is right", "stage %d", stage);
+    }
+    int status = cli_run("trace --stage 3 --triangles two.tri --size 10x20");
+    check(status == 0 && count_in(CLI_STDOUT, "\ngiven ") == 3 &&
+              count_in(CLI_STDOUT, "\nclipped ") > 3 &&
+              count_in(CLI_STDOUT, "\nclipped ") == count_in(CLI_STDOUT, "\nrounded "),
+          "trace: the vertices as given, what clipping made of them, and those rounded",
+          "status %d", status);
+    status = cli_run("trace --stage 3 --triangles two.tri --size 40x20 --triangle 1");
+    check(status == 0 && count_in(CLI_STDOUT, "\nclipped ") == 0,
+          "trace: a triangle inside the frame is not clipped", "status %d", status);
+}
+
 static void test_stages(void)
 {
     for (int stage = 1; stage <= 4; stage++) {
@@ -109,6 +133,7 @@ void test_trace_cli(void)
     if (check(cli_write("two.tri", TWO_TRIANGLES), "a file to test with", "cannot be written")) {
         test_output();
         test_stages();
+        test_borders_and_clipping();
         for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
             test_refused(refused[i].arguments, refused[i].says);
         }
