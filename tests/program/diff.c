@@ -12,9 +12,11 @@
 #define STAGE_NAME_MAX 64
 #define ALPHA 0xFF000000u
 
-/* A pair of frames, by the first stage and by the second. */
-struct pair {
-    struct image of[2];
+/* The frames of both stages, with the source's textures and with `coord`; and the exact answer,
+ * which says where the borders of texels are. */
+struct frames {
+    struct image drawn[2], texels[2], exact;
+    struct place *places;
 };
 
 struct counts {
@@ -24,12 +26,6 @@ struct counts {
     size_t texel;     /* drawn by both, with different texels */
     int max_distance; /* texels, the larger of the two axes */
     size_t ties;      /* of those that differ: the exact coordinate lies on a border of texels */
-};
-
-/* The exact answer, which says where the borders are. */
-struct borders {
-    struct place *places;
-    struct image drawn;
 };
 
 static bool parse_pair(const char *text, const struct stage *stages_of[2], struct error *error)
@@ -47,23 +43,38 @@ static bool parse_pair(const char *text, const struct stage *stages_of[2], struc
     return stages_of[1];
 }
 
-static void pair_destroy(struct pair *pair)
+/* False when there is no memory; frames_destroy also after that. */
+static bool frames_draw(struct frames *frames, const struct source *source,
+                        const struct stage *const stages_of[2])
 {
-    image_destroy(&pair->of[0]);
-    image_destroy(&pair->of[1]);
-}
+    const int width = source->size.width, height = source->size.height;
 
-/* False when there is no memory. */
-static bool pair_draw(struct pair *pair, const struct source *source,
-                      const struct stage *const stages_of[2], const struct image *texture)
-{
+    *frames = (struct frames){.places = malloc((size_t)width * (size_t)height *
+                                               sizeof *frames->places)};
+    if (!frames->places || !image_create(&frames->exact, width, height)) {
+        return false;
+    }
+    places_fill(frames->places, &frames->exact, NULL, &source->triangles, 0, 1);
     for (int i = 0; i < 2; i++) {
-        if (!image_create(&pair->of[i], source->size.width, source->size.height)) {
+        if (!image_create(&frames->drawn[i], width, height) ||
+            !image_create(&frames->texels[i], width, height)) {
             return false;
         }
-        source_draw(source, stages_of[i]->draw, texture, &pair->of[i]);
+        source_draw(source, stages_of[i]->draw, NULL, &frames->drawn[i]);
+        source_draw(source, stages_of[i]->draw, &source->textures[TEXTURE_COORD],
+                    &frames->texels[i]);
     }
     return true;
+}
+
+static void frames_destroy(struct frames *frames)
+{
+    for (int i = 0; i < 2; i++) {
+        image_destroy(&frames->drawn[i]);
+        image_destroy(&frames->texels[i]);
+    }
+    image_destroy(&frames->exact);
+    free(frames->places);
 }
 
 static int texel_distance(uint32_t a, uint32_t b)
@@ -97,27 +108,27 @@ static uint32_t distance_colour(int distance)
 #define ONLY_FIRST 0xFFFF00FFu  /* magenta */
 #define ONLY_SECOND 0xFFFFFFFFu /* white */
 
-static bool is_tie(const struct borders *borders, size_t pixel)
+static bool is_tie(const struct frames *frames, size_t pixel)
 {
-    const struct place *place = &borders->places[pixel];
+    const struct place *place = &frames->places[pixel];
 
-    return borders->drawn.pixels[pixel] != 0 && (place->u.other != 0 || place->v.other != 0);
+    return frames->exact.pixels[pixel] != 0 && (place->u.other != 0 || place->v.other != 0);
 }
 
-/* Compares, and writes the picture over the first frame of `drawn`. */
-static struct counts compare(struct pair *drawn, const struct pair *texels,
-                             const struct borders *borders)
+/* Compares, and writes the picture over the first frame. */
+static struct counts compare(struct frames *frames)
 {
     struct counts counts = {0};
-    const size_t size = (size_t)drawn->of[0].width * (size_t)drawn->of[0].height;
+    const size_t size = (size_t)frames->exact.width * (size_t)frames->exact.height;
 
     for (size_t i = 0; i < size; i++) {
-        uint32_t *picture = &drawn->of[0].pixels[i];
-        const uint32_t a = *picture, b = drawn->of[1].pixels[i];
-        const int distance = texel_distance(texels->of[0].pixels[i], texels->of[1].pixels[i]);
+        uint32_t *picture = &frames->drawn[0].pixels[i];
+        const uint32_t a = *picture, b = frames->drawn[1].pixels[i];
+        const int distance =
+            texel_distance(frames->texels[0].pixels[i], frames->texels[1].pixels[i]);
         counts.pixels += a != 0 || b != 0;
         counts.differing += a != b;
-        counts.ties += a != b && is_tie(borders, i);
+        counts.ties += a != b && is_tie(frames, i);
         if ((a == 0) != (b == 0)) {
             counts.coverage++;
             *picture = b == 0 ? ONLY_FIRST : ONLY_SECOND;
@@ -130,17 +141,16 @@ static struct counts compare(struct pair *drawn, const struct pair *texels,
     return counts;
 }
 
-static enum outcome report(struct pair *drawn, const struct pair *texels,
-                           const struct borders *borders, const struct options *options,
+static enum outcome report(struct frames *frames, const struct options *options,
                            struct error *error)
 {
-    const struct counts counts = compare(drawn, texels, borders);
+    const struct counts counts = compare(frames);
     const double share = counts.pixels > 0 ? (double)counts.differing / (double)counts.pixels : 0;
 
     printf("pixels %zu differing %zu (%.4f %%) coverage %zu texel %zu max %d ties %zu\n",
            counts.pixels, counts.differing, 100 * share, counts.coverage, counts.texel,
            counts.max_distance, counts.ties);
-    if (options->output && !image_write(options->output, &drawn->of[0], error)) {
+    if (options->output && !image_write(options->output, &frames->drawn[0], error)) {
         return OUTCOME_FAILED;
     }
     return (options->given & OPTION_MAX_PIXELS) && counts.differing > (size_t)options->max_pixels
@@ -148,43 +158,24 @@ static enum outcome report(struct pair *drawn, const struct pair *texels,
                : OUTCOME_DONE;
 }
 
-static bool borders_find(struct borders *borders, const struct source *source)
-{
-    const size_t pixels = (size_t)source->size.width * (size_t)source->size.height;
-
-    borders->places = malloc(pixels * sizeof *borders->places);
-    if (!borders->places ||
-        !image_create(&borders->drawn, source->size.width, source->size.height)) {
-        return false;
-    }
-    places_fill(borders->places, &borders->drawn, NULL, &source->triangles, 0, 1);
-    return true;
-}
-
 static enum outcome run(const struct options *options, struct error *error)
 {
     enum outcome outcome = OUTCOME_FAILED;
     const struct stage *stages_of[2];
     struct source source;
-    struct pair drawn = {0}, texels = {0};
-    struct borders borders = {0};
+    struct frames frames;
 
     if (!parse_pair(options->stages, stages_of, error) ||
         (options->output && !image_path_valid(options->output, error)) ||
         !source_open(&source, options, error)) {
         return OUTCOME_FAILED;
     }
-    if (pair_draw(&drawn, &source, stages_of, NULL) &&
-        pair_draw(&texels, &source, stages_of, &source.textures[TEXTURE_COORD]) &&
-        borders_find(&borders, &source)) {
-        outcome = report(&drawn, &texels, &borders, options, error);
+    if (frames_draw(&frames, &source, stages_of)) {
+        outcome = report(&frames, options, error);
     } else {
         error_set(error, "diff: no memory for the frames");
     }
-    pair_destroy(&drawn);
-    pair_destroy(&texels);
-    image_destroy(&borders.drawn);
-    free(borders.places);
+    frames_destroy(&frames);
     source_close(&source);
     return outcome;
 }

@@ -114,7 +114,7 @@ static bool pixel_at(const struct trace *trace, const uint32_t *address, int *x,
 static int lanes_of(const struct trace *trace, const struct step *step, enum format format,
                     char texts[STEPS_LANES][32])
 {
-    const int width = trace->texture.width, texel = (int)step->value.general - 1;
+    const int width = trace->texture.width, texel = (int)(step->value.general - 1);
     int x, y;
 
     switch (format) {
