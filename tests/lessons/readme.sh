@@ -143,6 +143,33 @@ views() {
         }' "$TEXMAP_BUILD/views.csv"
 }
 
+# cases STAGES NAME...: those of tests/cases/, a row each, and what was measured of the stages. In
+# bold what fails.
+cases() {
+    awk -F, -v stages="$1" -v names="$*" '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        {
+            bold = $at["verdict"] == "holds" ? "" : "**"
+            value = $at["value"]
+            cell[$at["case"], $at["stage"]] = value ~ /^-?[0-9.]/ ? \
+                bold sprintf(value < 1000 ? "%.3g" : "%d", value) bold : "-"
+            what[$at["case"]] = $at["measured"] ", " $at["unit"]
+        }
+        END {
+            count = split(stages, stage, " ")
+            printf "| case | measured |"
+            for (i = 1; i <= count; i++) printf " %s |", stage[i]
+            printf "\n|---|---|"
+            for (i = 1; i <= count; i++) printf "---:|"
+            last = split(names, name, " ")
+            for (k = count + 1; k <= last; k++) {
+                printf "\n| [%s](../tests/cases/%s.tri) | %s |", name[k], name[k], what[name[k]]
+                for (i = 1; i <= count; i++) printf " %s |", cell[name[k], stage[i]]
+            }
+            print ""
+        }' tests/results/stability.csv
+}
+
 # function STAGE NAME: that function's code, without the comment above it and what only traces.
 function() {
     echo '```c'
