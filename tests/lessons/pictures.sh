@@ -8,13 +8,18 @@ mode=$2
 size=256x192 # a PNG file stays below 100 KB
 status=0
 
-# picture FILE COMMAND...: what texmap draws with the command.
+# picture FILE COMMAND...: what texmap draws with the command, in a frame of $size.
 picture() {
     file=$1
     shift
     made=$file
     [ "$mode" != --check ] || made=$(dirname "$texmap")/picture.png
     "$texmap" "$@" --size $size -o "$made" > /dev/null || exit 2
+    compare
+}
+
+# With --check: is what was made there already?
+compare() {
     if [ "$mode" = --check ]; then
         if cmp -s "$made" "$file"; then
             echo "ok $file is what texmap draws"
@@ -35,6 +40,18 @@ picture stage1_float/perspective.png render --stage 1 --scene wall
 picture stage2_dda/difference_room.png diff --stages 1,2 --scene room
 picture stage4_subdivide/error_affine.png diff --stages segment_span,exact --scene floor
 picture stage4_subdivide/error_stage4.png diff --stages 4,exact --scene floor
-picture stage4_subdivide/difference_wall.png diff --stages 3,4 --scene wall
+
+size=640x480 # where bands can be seen
+picture stage4_subdivide/bands.png diff --stages 4,exact --scene room --frame 40
+size=256x192
+
+file=stage4_subdivide/chord.svg
+made=$file
+[ "$mode" != --check ] || made=$(dirname "$texmap")/picture.svg
+"$texmap" trace --stage 4 --triangles tests/lessons/segment.tri --row 0 \
+    --csv "$(dirname "$texmap")/segment.csv" || exit 2
+awk -f tests/lessons/chord.awk "$(dirname "$texmap")/segment.csv" > "$made" || exit 2
+compare
+
 picture stage5_asm/difference.png diff --stages 4,5 --scene wall
 exit $status
