@@ -172,20 +172,31 @@ static double time_row(struct bench *bench, const struct bench_row *row)
     return 1e9 * (bench_clock() - start);
 }
 
-/* Each round begins one row further on. A change of scene is drawn once untimed: or else its first
- * stage, always the same, would pay for the others' cold caches. False where the deadline cuts. */
+/* The row so many further on in the same scene, around and around. */
+static const struct bench_row *neighbour(const struct bench *bench, const struct bench_row *row,
+                                         int step)
+{
+    const int stages = bench->row_count / bench->source_count;
+    const int at = (int)((row - bench->rows) % stages);
+
+    return row->lookup ? row : row - at + (at + step + stages) % stages;
+}
+
+/* Each round begins one row further on, and goes the other way. Where the scene changes, another
+ * stage draws it untimed first, so that each stage finds the scene in the caches, and not its own
+ * branches predicted. False where the deadline cuts. */
 static bool take_turns(struct bench *bench, int round, double deadline)
 {
-    const int count = row_total(bench);
+    const int count = row_total(bench), step = round % 2 == 0 ? 1 : -1;
     const struct source *warm = NULL;
 
     for (int i = 0; i < count; i++) {
-        struct bench_row *row = &bench->rows[(i + round) % count];
+        struct bench_row *row = &bench->rows[(round + count + step * i) % count];
         if (bench_clock() >= deadline) {
             return false;
         }
         if (row->source && row->source != warm) {
-            time_row(bench, row);
+            time_row(bench, neighbour(bench, row, -step));
             warm = row->source;
         }
         if (!row->wrong) {

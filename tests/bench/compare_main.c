@@ -12,7 +12,7 @@
 #define WIDTH 1024
 #define HEIGHT 768
 #define SECONDS 2  /* of rounds for each stage */
-#define NOISE 0.02 /* a ratio nearer to 1 says nothing; see below */
+#define NOISE 0.03 /* a ratio nearer to 1 says nothing: where code lies makes as much; see below */
 
 #define WEAK __attribute__((weak)) /* NULL where a version has no such stage */
 #define BOTH(stage) WEAK draw_triangle old_##stage##_draw_triangle, new_##stage##_draw_triangle
