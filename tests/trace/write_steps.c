@@ -4,7 +4,7 @@
 #include "tests/trace/trace.h"
 
 /* How the 128 bits of a vector register, or a general one, are to be read. */
-enum format { FLOATS, FLOATS_16_16, DOUBLES, INTEGERS, FIXED_16_16, MASK, INTEGER, ADDRESS, TEXEL };
+enum format { FLOATS, FLOATS_16_16, DOUBLES, INTEGERS, FIXED_16_16, FIXED_U, MASK, INTEGER, ADDRESS, TEXEL };
 
 struct meaning {
     const char *name;
@@ -56,7 +56,12 @@ static enum format vector_format(const struct step *step, const char *macro, con
     if (strncmp(end, "pd", 2) == 0 || strncmp(end, "sd", 2) == 0) {
         return DOUBLES;
     }
-    return step->reg < 20 ? FIXED_16_16 : INTEGERS;
+    if (step->reg >= 20) {
+        return INTEGERS;
+    }
+    /* u and its step: shifted up, so that the texture's width in texels would be 2^32. */
+    const bool is_u = step->reg == 16 || step->reg == 18;
+    return is_u && (step->drawing || strncmp(mnemonic, "pslld", 5) == 0) ? FIXED_U : FIXED_16_16;
 }
 
 static struct meaning meaning_of(const struct step *step)
@@ -133,6 +138,13 @@ static int lanes_of(const struct trace *trace, const struct step *step, enum for
     case FIXED_16_16:
         for (int i = 0; i < 4; i++) {
             snprintf(texts[i], 32, "%.5f", step->value.integers[i] / 65536.0);
+        }
+        return 4;
+    case FIXED_U:
+        for (int i = 0; i < 4; i++) {
+            const double wraps = step->reg == 16 ? (uint32_t)step->value.integers[i]
+                                                 : (double)step->value.integers[i];
+            snprintf(texts[i], 32, "%.5f", wraps * width / 4294967296.0);
         }
         return 4;
     case INTEGERS:
