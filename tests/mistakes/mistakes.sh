@@ -7,6 +7,7 @@
 # The first line of a mistake is `# FILE: GROUP: the test that must fail`. What does not begin with
 # # is a sed command on one line; a command that changes nothing is an error. Of a stage the group
 # is run with TEXMAP_STAGE, for that stage alone.
+# GROUP may also be a script of tests, which is run with such a `texmap`.
 # Where that test is `nothing is undefined`, the file is built with checks of casts and divisions
 # that end the program, which must happen; and must not without the mistake.
 # TEXMAP_BUILD is where the program and the libraries are; `flags` there says how to compile.
@@ -43,9 +44,11 @@ edit() {
 link_with() {
     program=$1
     file=$2
+    main=unit/test_main.o
+    [ "$group" = "${group#*/}" ] || main=program/texmap_main.o
     shift 2
     $compile -w "$@" -c -o "$program.o" "$file" &&
-        $compile -o "$program" "$program.o" "$build"/tests/unit/test_main.o "$build"/tests.a \
+        $compile -o "$program" "$program.o" "$build/tests/$main" "$build"/tests.a \
             "$build"/texmap.a -lm
 }
 
@@ -64,10 +67,10 @@ undefined() {
             link_with "$folder/$name/control" "$source" $checks $trap &&
             break
     done
-    if traps "$folder/$name/control"; then
+    if traps "$folder/$name/control" 2> /dev/null; then
         echo "FAIL $name: $source is undefined without the mistake"
         return 1
-    elif traps "$folder/$name/mistake"; then
+    elif traps "$folder/$name/mistake" 2> /dev/null; then
         echo "ok $name is caught by: $test"
     else
         echo "FAIL $name: not caught by: $test"
@@ -90,8 +93,13 @@ try() {
         echo "FAIL $name: does not compile"
         return 1
     fi
-    TEXMAP_STAGE=$stage TEXMAP_SPANS=50000 "$folder/$name/test" "$group" \
-        > "$folder/$name/output" 2>&1
+    case $group in
+    */*) TEXMAP_PROGRAM=$folder/$name/test sh "$group" > "$folder/$name/output" 2>&1 ;;
+    *)
+        TEXMAP_STAGE=$stage TEXMAP_SPANS=50000 "$folder/$name/test" "$group" \
+            > "$folder/$name/output" 2>&1
+        ;;
+    esac
     if grep -Fq "FAIL $test" "$folder/$name/output"; then
         echo "ok $name is caught by: $test"
     else
