@@ -28,14 +28,15 @@ class Run {
   }
 
   place(event, i) {
-    const name = KINDS[event.kind], v = event.v;
-    Object.assign(event, { points: this.corners, piece: this.piece });
+    const name = KINDS[event.kind];
+    event.points = this.corners;
+    event.piece = this.piece;
     if (name === "gradients") {
-      Object.assign(this, { longLeft: v.area > 0, row: {}, x: {}, corner: {} });
+      Object.assign(this, { longLeft: event.v.area > 0, row: {}, x: {}, corner: {} });
     } else if (name === "edge" || name === "edge step") {
       this.placeEdge(event, name === "edge");
     } else if (name === "span") {
-      event.y = v.y;
+      event.y = event.v.y;
       event.first = Math.ceil(this.x.left); /* whole already in stages 2 to 4 */
       event.end = Math.max(Math.ceil(this.x.right), event.first);
       event.left = this.x.left;
@@ -43,7 +44,7 @@ class Run {
     } else {
       event.y = Math.floor(event.pixel / this.width);
       event.x = event.pixel % this.width;
-      event.count = v.count || 1;
+      event.count = name === "segment" ? event.v.count : 1;
     }
     if (name === "pixel" && !this.order.has(event.pixel)) {
       this.order.set(event.pixel, i);
@@ -51,9 +52,9 @@ class Run {
     const group = event.side || name;
     event.before = this.last[group];
     this.last[group] = i;
-    for (const key of ["span", "segment", "gradients"]) {
-      event[key] = this.last[key];
-    }
+    event.span = this.last.span;
+    event.segment = this.last.segment;
+    event.gradients = this.last.gradients;
   }
 
   /* The long edge runs from corner 0 to 2; the short ones from 0 to 1 and from 1 to 2, of which one

@@ -5,9 +5,22 @@ const MARGIN = 26;          /* CSS pixels for the numbers along the border */
 const FIGURE_HEIGHT_MAX = 520;
 const CELLS_MAX = 60;       /* CSS pixels a pixel of the frame is at most drawn with */
 
-/* A pixel's colour: texels alternate, in squares of 16 where there are many. */
-function texelColour(pixel, shift) {
-  return colour((texelU(pixel) >> shift) + (texelV(pixel) >> shift) & 1 ? "texel-b" : "texel-a");
+const MARKS_FROM = 5;       /* such a cell has room for a cross */
+
+/* A window of a frame, each texel in one of two colours, in squares of 2^shift where there are
+ * many; with errors, a wrong pixel in its error's. Alpha is 0 to 255. Where a cell is smaller than
+ * the screen's pixels, some are left out. */
+function drawFrame(c, { frame, errors }, { x, y, w, h }, cell, width, shift, alphaOf) {
+  const step = Math.max(1, Math.ceil(1 / cell));
+  drawPixels(c, (i, j) => {
+    const at = (y + j * step) * width + x + i * step, error = errors ? errorAt(errors, at) : 0;
+    if (!frame[at] && !error) {
+      return 0;
+    }
+    const odd = (texelU(frame[at]) >> shift) + (texelV(frame[at]) >> shift) & 1;
+    const name = error ? errorClass(error) : odd ? "texel-b" : "texel-a";
+    return (alphaOf(at) << 24 | pixelOf(name) & 0xFFFFFF) >>> 0;
+  }, Math.ceil(w / step), Math.ceil(h / step), cell * step);
 }
 
 class Figure {
@@ -93,16 +106,11 @@ class Figure {
   }
 
   drawCells(c) {
-    const { frame, order, at, shift } = this.model, size = Math.max(this.cell, 0.5);
-    this.eachPixel((x, y, i) => {
-      if (frame[i]) {
-        const [left, top] = this.toCanvas(x - 0.5, y - 0.5);
-        c.globalAlpha = order.get(i) <= at ? 1 : 0.35;
-        c.fillStyle = texelColour(frame[i], shift);
-        c.fillRect(left, top, size, size);
-      }
-    });
-    c.globalAlpha = 1;
+    const { frame, errors, width, order, at, shift } = this.model;
+    c.translate(MARGIN, MARGIN);
+    drawFrame(c, { frame, errors: this.cell < MARKS_FROM ? errors : null }, this.window, this.cell,
+      width, shift, (i) => (order.get(i) <= at ? 255 : 90));
+    c.translate(-MARGIN, -MARGIN);
   }
 
   drawGrid(c) {
@@ -145,8 +153,8 @@ class Figure {
   /* Wrong texels, missing pixels, pixels too many. */
   drawMarks(c) {
     const { errors, frame } = this.model, arm = Math.max(this.cell * 0.22, 1);
-    if (!errors) {
-      return;
+    if (!errors || this.cell < MARKS_FROM) {
+      return; /* in small cells a colour says it */
     }
     c.font = `bold ${Math.max(this.cell * 0.8, 8)}px system-ui, sans-serif`;
     this.eachPixel((x, y, i) => {

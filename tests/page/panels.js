@@ -144,18 +144,8 @@ function drawValues(table, event, before) {
 const heads = (...names) => element("thead", {}, element("tr", {},
   ...names.map((name) => element("th", { scope: "col" }, name))));
 
-function drawSmall(c, { frame, errors }, window, cell, width) {
-  for (let y = window.y; y < window.y + window.h; y++) {
-    for (let x = window.x; x < window.x + window.w; x++) {
-      const i = y * width + x, error = errors ? errorAt(errors, i) : 0;
-      if (frame[i] || error) {
-        c.fillStyle = error ? colour(errorClass(error)) : texelColour(frame[i], 0);
-        c.fillRect((x - window.x) * cell, (y - window.y) * cell, Math.max(cell, 0.6),
-          Math.max(cell, 0.6));
-      }
-    }
-  }
-}
+const drawSmall = (c, result, window, cell, width) =>
+  drawFrame(c, result, window, cell, width, 0, () => 255);
 
 /* Errors by lightness, so that everyone can order them. */
 const ERROR_CLASSES = [["error-1", "1 texel"], ["error-2", "2 or 3 texels"],
@@ -177,7 +167,9 @@ class Chords {
       this.first = this.span.first;
       this.count = this.span.end - this.span.first;
       this.curve = (p) => at(p, "u_over_z") / at(p, "one_over_z");
-      const row = run.events.filter((one) => one.y === this.span.y);
+      const from = run.events.indexOf(this.span), row = run.events.slice(from + 1);
+      const end = row.findIndex((one) => !["pixel", "segment"].includes(KINDS[one.kind]));
+      row.length = end < 0 ? row.length : end;
       this.pixels = row.filter((one) => KINDS[one.kind] === "pixel");
       this.segments = row.filter((one) => KINDS[one.kind] === "segment");
     }
@@ -200,8 +192,10 @@ class Chords {
     }
     const chord = this.chord();
     const off = (p) => between(chord, p) - this.curve(p);
-    const parts = this.segments.length ? 4 : 1; /* elsewhere nothing is between two pixels */
-    const fine = Array.from({ length: parts * (this.count - 1) + 1 }, (_, i) => i / parts);
+    const step = this.count > 600 ? Math.ceil(this.count / 600) /* more than can be seen */
+      : this.segments.length ? 1 / 4 : 1;                       /* nothing is between two pixels */
+    const fine = Array.from({ length: Math.floor((this.count - 1) / step) + 1 },
+      (_, i) => i * step);
     const worst = Math.max(...fine.map((p) => Math.abs(off(p))));
     const bound = Math.max(0, ...this.segments.map((one) => chordOf(this.run, one).bound));
     says.textContent = `Scanline ${this.span.y}, ${plural(this.count, "pixel")}. Above: u, the ` +

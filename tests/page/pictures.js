@@ -139,12 +139,9 @@ class Pictures {
   paint(c, n, width, height) {
     const { x, y, w, h } = this.view(), room = this.rooms.get(n);
     const at = (i, j) => (y + j) * ROOM_SIZE[0] + x + i;
-    const errors = ERROR_CLASSES.map(([name]) => [name, pixelOf(colour(name))]);
-    const paper = pixelOf(colour("raised"));
     drawPixels(c, (i, j) => {
       const error = this.state.show === "error" ? errorAt(room.errors, at(i, j)) : -1;
-      return error < 0 ? room.picture[at(i, j)] : error === 0 ? paper
-        : errors.find(([name]) => name === errorClass(error))[1];
+      return error < 0 ? room.picture[at(i, j)] : pixelOf(error === 0 ? "raised" : errorClass(error));
     }, w, h, width / w);
     const [cx, cy] = this.hover || this.state.at;
     c.strokeStyle = colour("now");
@@ -207,5 +204,6 @@ async function pixelsOf(image) {
   return new Uint32Array(bytes.buffer).map((pixel) => (pixel & 0xFFFFFF ? swapped(pixel) : 0));
 }
 
-/* #rrggbb as 0xAARRGGBB. */
-const pixelOf = (text) => (0xFF000000 | parseInt(text.slice(1), 16)) >>> 0;
+/* A colour of page.css, #rrggbb there, as 0xAARRGGBB. */
+const pixelOf = (name) =>
+  (colours[`${name} pixel`] ||= (0xFF000000 | parseInt(colour(name).slice(1), 16)) >>> 0);

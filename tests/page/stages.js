@@ -25,6 +25,22 @@ const standIn = (number) => (number === 5 ? 4 : number);
 const EVENT_WORDS = 4, EVENT_DOUBLES = 12;
 const EVENTS_MAX = 50000; /* that a trace keeps */
 
+/* A step of a stage. Its values are taken out of the list when they are asked for: most are not. */
+class TraceEvent {
+  constructor(kind, line, pixel, names, values) {
+    this.kind = kind;
+    this.line = line;
+    this.pixel = pixel;
+    this.names = names;
+    this.values = values;
+  }
+
+  get v() {
+    return (this.known ||=
+      Object.fromEntries(this.names.map((name, i) => [name, this.values[i]])));
+  }
+}
+
 class Stages {
   static async load() {
     const bytes = Uint8Array.from(atob(byId("module").textContent.replace(/\s/g, "")),
@@ -122,14 +138,13 @@ class Stages {
     const address = this.wasm.page_events(), frame = this.wasm.page_frame();
     const size = EVENT_WORDS / 2 + EVENT_DOUBLES; /* in doubles */
     const words = this.array(Int32Array, address, 2 * size * count);
-    const doubles = this.array(Float64Array, address, size * count);
+    const doubles = this.array(Float64Array, address, size * count).slice();
     const names = KINDS.map((_, kind) => this.text(this.wasm.page_event_names(stage, kind))
       .split(" "));
     return Array.from({ length: count }, (_, i) => {
-      const [kind, line, pixel] = words.subarray(2 * size * i, 2 * size * i + 3);
-      const v = {};
-      names[kind].forEach((name, j) => { v[name] = doubles[size * i + EVENT_WORDS / 2 + j]; });
-      return { kind, line, pixel: (pixel - frame) / 4, v };
+      const kind = words[2 * size * i], from = size * i + EVENT_WORDS / 2;
+      return new TraceEvent(kind, words[2 * size * i + 1], (words[2 * size * i + 2] - frame) / 4,
+        names[kind], doubles.subarray(from, from + EVENT_DOUBLES));
     });
   }
 
