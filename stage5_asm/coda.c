@@ -1,10 +1,12 @@
 /* The coda: what would one write today? The exact answer for every pixel, eight pixels at a time.
  *
- * Which pixels lie inside is decided by integers. A texel is found in float, whose error is bounded;
- * where a border between two texels lies within the bound the pixel is in doubt, and is drawn again
- * by integer weights, as tests/exact does. So every frame is that of `--stage exact`, bit for bit.
+ * Which pixels lie inside is decided by integers. A texel is found in float, whose error is
+ * bounded; where a border between two texels lies within the bound the pixel is in doubt, and is
+ * drawn again by integer weights, as tests/exact does. So every frame is that of `--stage exact`,
+ * bit for bit.
  *
- * The two loops over pixels are in coda.S: x86-64 with AVX2, FMA, BMI (the caller asks for them). */
+ * The two loops over pixels are in coda.S: x86-64 with AVX2, FMA, BMI (the caller asks for them).
+ */
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
@@ -24,9 +26,9 @@ static int floor_to_int(double value) { return (int)(value + FLOOR_OFFSET) - FLO
 
 /* The edge from a to b, the triangle on the side where the cross product is positive:
  *   w(x, y) = (b - a) x (p - a) = constant + 2^16 (dx y - dy x)
- * in squared grid units, |w| < 2^60, at the pixel p = (x, y). A pixel on the edge is inside if it is
- * a left edge (w grows to the right) or a top one (w grows only downward): least is 0 then, else 1.
- * All but the constant is a multiple of 2^16, so that 16 bits drop out:
+ * in squared grid units, |w| < 2^60, at the pixel p = (x, y). A pixel on the edge is inside if it
+ * is a left edge (w grows to the right) or a top one (w grows only downward): least is 0 then, else
+ * 1. All but the constant is a multiple of 2^16, so that 16 bits drop out:
  *   w >= least   <=>   inside(x, y) = floor((constant - least) / 2^16) + dx y - dy x >= 0 */
 struct edge { int64_t constant, dx, dy, least; };
 
@@ -161,11 +163,11 @@ uint64_t coda_draw_box(const struct mapping *, const struct box *, uint32_t *pix
  *     1/2 + 1/2   u0 and step t become integers
  *     R/2^15      doubles, 64 2^-53 of R times the depth ratio; R: the triangle's range of u
  *     1/32        the exact answer goes up from 2^-21 texel below a border on
- * So u + error is never below what the exact answer cuts, u - error never above: where a border lies
- * between them the pixel is in doubt.
+ * So u + error is never below what the exact answer cuts, u - error never above: where a border
+ * lies between them the pixel is in doubt.
  *
- * An edge crosses row y at x = (inside(0, y) + 1/2) / dy; pixels from floor(x) + 1 on lie beyond. The
- * numerator is below 2^42, and x at least 1/(2 dy) from an integer: double errs by 2^-10 / dy. */
+ * An edge crosses row y at x = (inside(0, y) + 1/2) / dy; pixels from floor(x) + 1 on lie beyond.
+ * The numerator is below 2^42, x at least 1/(2 dy) from an integer: double errs by 2^-10 / dy. */
 static void draw_rows(const struct triangle *t, const struct plane *p, int columns, int y, int end)
 {
     struct doubt doubts[DOUBTS_MAX];
@@ -205,9 +207,9 @@ static void draw_rows(const struct triangle *t, const struct plane *p, int colum
     }
 }
 
-/* Over a box the same in float, from its first pixel. With box <= 4 area, and depths within 2 of each
- * other, u/z and v/z err by (24 4 + 2) 2^-24 of the range, 1/z by (12 4 + 4) 2^-24; with the divide
- * and the product that makes 302/256 < 1.2 for each texel of range. */
+/* Over a box the same in float, from its first pixel. With box <= 4 area, and depths within 2 of
+ * each other, u/z and v/z err by (24 4 + 2) 2^-24 of the range, 1/z by (12 4 + 4) 2^-24; with the
+ * divide and the product that makes 302/256 < 1.2 for each texel of range. */
 static void draw_box(const struct triangle *t, const struct plane *p, struct box *b, int x, int y)
 {
     uint32_t *pixels = &t->frame->pixels[y * t->frame->stride + x];

@@ -56,7 +56,8 @@ static void call(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS
     }
 }
 
-/* A pixel's u and v, 16.16 with half a texel and the error added; ranges of one texel are left out. */
+/* A pixel's u and v, 16.16 with half a texel and the error added; ranges of one texel are left
+ * out. */
 static void measure(int x, int y, const double fixed[2], double error)
 {
     const struct exact_triangle *e = &measured.exact;

@@ -12,8 +12,8 @@
 #define CODA_CALLS "the coda's calls touch frame and texture only, and keep the calling convention"
 bool coda_calls(char text[CODA_TEXT]);
 
-/* The float errors of at least `count` coordinates, by the same arithmetic in C: is the largest below
- * what coda.c allows for, and above a third of it? */
+/* The float errors of at least `count` coordinates, by the same arithmetic in C: is the largest
+ * below what coda.c allows for, and above a third of it? */
 #define CODA_BOUND "the coda's float errors stay below their bound"
 bool coda_bound(long count, char text[CODA_TEXT]);
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # tests/cases/table.sh [NAME...]: the stability table as Markdown, a row a case; of all cases, for a
-# page in this folder, or of those that are named, for one at the top. What happens in a case is said
-# at the head of its file; its numbers are in tests/results/stability.csv, from make stability.
+# page in this folder, or of those that are named, for one at the top. What happens in a case is
+# said at the head of its file; its numbers are in tests/results/stability.csv, from make stability.
 
 awk -F, -v only="$*" '
     # Of the file that is being read: the comment`s parts.
@@ -36,8 +36,8 @@ awk -F, -v only="$*" '
         }
         for (k = 1; k <= count; k++) {
             name = rows[k]
-            printf "| [%s](" folder "%s.tri) | %s | %s, %s |", name, name, text[name], measure[name],
-                unit[name]
+            printf "| [%s](" folder "%s.tri) | %s | %s, %s |", name, name, text[name],
+                measure[name], unit[name]
             for (i = 1; i <= stage_count; i++) printf " %s |", cell[name, stages[i]]
             printf "\n"
         }

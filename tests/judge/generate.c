@@ -204,8 +204,8 @@ static void make_t_junctions(struct judge_case *made, struct random *random)
     add_triangle(made, random, v[3], v[4], v[6]);
 }
 
-/* u = p x + q y + 1/2 and v likewise, p and q whole numbers, in a triangle whose vertices lie on odd
- * quarters across and odd sixteenths down, so that they are not on a border themselves. */
+/* u = p x + q y + 1/2 and v likewise, p and q whole numbers, in a triangle whose vertices lie on
+ * odd quarters across and odd sixteenths down, so that they are not on a border themselves. */
 static void make_half_size(struct judge_case *made, struct random *random)
 {
     const float z = (float)random_real(random, 1, 20);

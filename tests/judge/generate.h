@@ -11,7 +11,7 @@
 #define CASE_TRIANGLES 64
 
 enum kind {
-    ORDINARY,    /* anywhere; also on the frame's border, on pixel centres and where roundings tie */
+    ORDINARY,    /* anywhere; also on the frame's border, pixel centres and where roundings tie */
     TINY,        /* within three pixels */
     NEEDLE,      /* two vertices close together */
     SLIVER,      /* the third near the line through the others */

@@ -236,7 +236,7 @@ static double divide_error(const struct trial *t, const struct axis *axis, doubl
     return axis->largest * (4 * relative + floats) + t->stage->tie;
 }
 
-/* From one divide to the next, or to the span's last pixel; and how far off u and v may be there. */
+/* From one divide to the next, or to the span's last pixel; and how far off u, v may be there. */
 struct segment {
     int from, to;
     struct allowance {
@@ -246,9 +246,9 @@ struct segment {
 
 /* Between the ends of a segment u is taken for linear, and errs by
  *     |du| (sqrt(r) - 1) / (sqrt(r) + 1),   r >= 1 the ratio of the depths at its ends.
- * Then come 16.16: a start is cut and moved by 2^-16 each, and in n pixels the step, a float of three
- * roundings, is cut n times. And an end that is kept 1/128 texel from the ends of the triangle's own
- * range, which does not change its own texel, moves what lies between. */
+ * Then come 16.16: a start is cut and moved by 2^-16 each, and in n pixels the step, a float of
+ * three roundings, is cut n times. And an end that is kept 1/128 texel from the ends of the
+ * triangle's own range, which does not change its own texel, moves what lies between. */
 static struct allowance allow(const struct trial *t, const struct axis *axis, double du,
                               double z_from, double z_to, double z_first, int length)
 {
@@ -396,7 +396,8 @@ static bool judge_row(struct judge *judge, const struct trial *t, int y, char te
             s = segment_at(judge, t, first, end, x);
             start += length;
         }
-        if (inside && drawn && texels && !judge_texel(judge, t, &s, row[x], first, end, x, y, text)) {
+        if (inside && drawn && texels &&
+            !judge_texel(judge, t, &s, row[x], first, end, x, y, text)) {
             return false;
         }
         judge->drawn += drawn;

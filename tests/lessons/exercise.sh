@@ -1,9 +1,9 @@
 #!/bin/sh
 # tests/lessons/exercise.sh BUILD N E OBJECT...: exercise E (1 or 2) of lesson N (1 to 5). Copies
 # the starting point to BUILD/exercise/N_E/, unless it is there already: it is the reader's then,
-# and never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. In the program
-# `texmap` that is built beside it the copy is `--stage mine`. Exit status 0: it passes; 1: it does
-# not yet; 2: bad usage, or it does not compile.
+# and never written again. Builds it, and judges it with tests/lessons/exercises/judge.c. In the
+# program `texmap` that is built beside it the copy is `--stage mine`. Exit status 0: it passes; 1:
+# it does not yet; 2: bad usage, or it does not compile.
 #
 # tests/lessons/exercise.sh BUILD prove OBJECT...: does the judge fail each starting point and each
 # wrong solution, and pass each right one? A line for each; exit status 1 where it does not.
@@ -141,8 +141,8 @@ echo "Your copy: $(for file in $(files_of "$(stage_of "$exercise")"); do
     printf '%s/%s ' "$folder" "$file"; done)(make clean, or deleting it, starts anew)"
 echo
 compile "$exercise" "$folder" &&
-    $compile -o "$folder/texmap" $built "$build/tests/program/texmap_main.o" "$build/texmap.a" -lm ||
-    exit 2
+    $compile -o "$folder/texmap" $built "$build/tests/program/texmap_main.o" "$build/texmap.a" \
+        -lm || exit 2
 echo "$folder/texmap draws it: --stage mine"
 echo
 if judge "$exercise" "$folder"; then

@@ -135,7 +135,8 @@ views() {
             wrong = wrong sprintf(" %.1f %% |", $at["wrong_texel_pct"])
             step = $at["ruler_step"]
             rms = $at["position_rms"]
-            off = off (rms < step ? sprintf(" &lt; 1/%d |", 1 / step + .5) : sprintf(" %.1f |", rms))
+            if (rms < step) off = off sprintf(" &lt; 1/%d |", 1 / step + .5)
+            else off = off sprintf(" %.1f |", rms)
         }
         END {
             print "| |" title "\n|---|" bars "\n| picture |" seen "\n| its errors |" errs

@@ -1,5 +1,5 @@
-/* Recordings of stage 5's assembly, for the page to step through: the first group of four segments of
- * a few triangles, from a real run. */
+/* Recordings of stage 5's assembly, for the page to step through: the first group of four segments
+ * of a few triangles, from a real run. */
 #include <string.h>
 #include "tests/page/report.h"
 #include "tests/trace/trace.h"

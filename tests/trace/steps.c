@@ -172,7 +172,7 @@ static void run_in_steps(const struct segment *segments, int count, const struct
     sigaction(SIGTRAP, &before, NULL);
 }
 
-/* The line of the instruction at a distance from the routine's start; 0: it is not the routine's. */
+/* The line of the instruction at a distance from the routine's start; 0: not the routine's. */
 static int line_at(ptrdiff_t at)
 {
     int line = 0;

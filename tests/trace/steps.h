@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #define STEPS_LANES 4
-#define STEPS_REGISTERS 32 /* 16 general ones, rax rcx rdx rbx rsp rbp rsi rdi r8 to r15; xmm0 to 15 */
+#define STEPS_REGISTERS 32 /* rax rcx rdx rbx rsp rbp rsi rdi, r8 to r15; xmm0 to 15 */
 
 struct step {
     int line;     /* of stage5_asm/span.S */

@@ -212,9 +212,9 @@ refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene 
     'render --stage 1 --scene --frame 3 -o out.ppm' 'scene --stage 1 --scene wall -o out.tri' \
     'scene --triangles four.tri -o out.tri' 'bench --frame 1' 'bench --triangles good.tri' \
     'bench --scene none' 'bench --stage none' 'chart columns.csv -o out.svg' 'chart -o out.svg' \
-    'chart missing.csv -o out.svg' 'chart columns.csv -o out.png' 'trace --stage coda --scene wall' \
-    'report -o index' 'diff --scene wall' 'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report' \
-    'report -o good.tri/out'
+    'chart missing.csv -o out.svg' 'chart columns.csv -o out.png' 'report' \
+    'trace --stage coda --scene wall' 'report -o index' 'diff --scene wall' \
+    'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report -o good.tri/out'
 refused 'render --stage 1 --scene wall --size 8x8 -o out.ppm' --nosuch '--nosuch 1' --scene=wall \
     -x extra '--stages 1,2' '--stage 1' '--scene wall' '--size 8x8' '-o out.png' \
     '--frame 1 --frame 1' '--texture own --texture own' '--triangles good.tri' '--frame -1' \

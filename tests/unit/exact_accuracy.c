@@ -314,8 +314,8 @@ static double time_surfaces(float step)
     const clock_t start = clock();
     const bool found = surfaces_find(&surfaces, &list);
     const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    check(found && surfaces.of[MANY - 1] == MANY - 1, "triangles that share x and y alone are apart",
-          "in %d triangles", MANY);
+    check(found && surfaces.of[MANY - 1] == MANY - 1,
+          "triangles that share x and y alone are apart", "in %d triangles", MANY);
     surfaces_destroy(&surfaces);
     triangle_list_destroy(&list);
     return seconds;

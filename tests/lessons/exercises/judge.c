@@ -1,6 +1,6 @@
-/* judge N_E: holds the stage `mine`, which this program was linked with (tests/lessons/mine.c), to what exercise E
- * of lesson N asks for: a line for each check, what is wrong first, and how far it is from passing.
- * Exit status 0: it passes; 1: it does not; 2: bad usage. */
+/* judge N_E: holds the stage `mine`, which this program was linked with (tests/lessons/mine.c), to
+ * what exercise E of lesson N asks for: a line for each check, what is wrong first, and how far it
+ * is from passing. Exit status 0: it passes; 1: it does not; 2: bad usage. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ static bool open_source(struct source *source, const char *name)
     return true;
 }
 
-/* How many random triangles and meshes are drawn as the stage promises; and the first that is not. */
+/* How many random triangles and meshes are drawn as the stage promises; the first that is not. */
 static bool random_cases(const struct subject *subject, const char *source, double most,
                          char text[TEXT])
 {
@@ -66,13 +66,13 @@ static bool random_cases(const struct subject *subject, const char *source, doub
         }
     }
     judge_destroy(&judge);
-    snprintf(text, TEXT, "%d of %d right%s%s", right, CASES, first[0] ? "; the first that is not:\n" :
-             "", first);
+    snprintf(text, TEXT, "%d of %d right%s%s", right, CASES,
+             first[0] ? "; the first that is not:\n" : "", first);
     return right == CASES;
 }
 
-/* Draws the triangle turned by half a turn, and turns what was drawn back: the one fill rule becomes
- * the other. */
+/* Draws the triangle turned by half a turn, and turns what was drawn back: the one fill rule
+ * becomes the other. */
 static draw_triangle *turned_draw;
 
 static void draw_turned(struct image *frame, const struct image *texture, const struct vertex v[3])
