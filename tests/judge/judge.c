@@ -1,5 +1,6 @@
 #include "tests/judge/judge.h"
 
+#include <float.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
@@ -158,7 +159,8 @@ static float max3(float a, float b, float c) { return fmaxf(a, fmaxf(b, c)); }
 /* u/z at a pixel of depth z comes from a gradient, whose products of up to F = U/z_min, U the
  * largest |u|, and w + h are divided by twice the area and carried w + h pixels far: 16 roundings
  * of F (w+h)^2/(2A); and from one addition a row and a pixel, each of values up to
- * F (1 + 2 (w+h)/(2A)), as an edge is walked up to a pixel outside the triangle. 1/z likewise. */
+ * F (1 + 2 (w+h)/(2A)), as an edge is walked up to a pixel outside the triangle. Where edges are in
+ * float, x is off as edge_is_near says, and u/z by that times 2F (w+h)/(2A). 1/z likewise. */
 static void trial_setup(struct trial *t, const struct stage *stage, const struct vertex v[3],
                         const struct image *frame, const struct image *texture)
 {
@@ -170,15 +172,17 @@ static void trial_setup(struct trial *t, const struct stage *stage, const struct
     const float x0 = min3(r[0].x, r[1].x, r[2].x), x1 = max3(r[0].x, r[1].x, r[2].x);
     const float y0 = min3(r[0].y, r[1].y, r[2].y), y1 = max3(r[0].y, r[1].y, r[2].y);
     const double extent = (double)x1 - x0 + y1 - y0;
-    const double doubled = fabs(((double)r[1].x - r[0].x) * ((double)r[2].y - r[0].y) -
-                                ((double)r[2].x - r[0].x) * ((double)r[1].y - r[0].y));
+    double doubled = fabs(((double)r[1].x - r[0].x) * ((double)r[2].y - r[0].y) -
+                          ((double)r[2].x - r[0].x) * ((double)r[1].y - r[0].y));
 
     t->area = exact_setup(&t->exact, r);
+    doubled = t->area ? doubled : DBL_MIN; /* nothing is drawn */
     t->u = axis_setup(v[0].u, v[1].u, v[2].u, texture->width);
     t->v_axis = axis_setup(v[0].v, v[1].v, v[2].v, texture->height);
-    t->roundings = doubled > 0 ? 16 * extent * extent / doubled +
-                                     (extent + 16) * (1 + 2 * extent / doubled)
-                               : INFINITY;
+    t->roundings = 16 * extent * extent / doubled + (extent + 16) * (1 + 2 * extent / doubled);
+    if (!(stage->promises & COVERAGE)) { /* edges in float: see edge_is_near */
+        t->roundings += (extent + 16) * (x1 + 1) * 2 * extent / doubled;
+    }
     t->judged = stage->promises & TEXELS || doubled >= fmax(x1 - x0, y1 - y0) * sqrt(2);
     const double farthest = max3(v[0].z, v[1].z, v[2].z), steps = (x1 - x0) * farthest / t->nearest;
     t->own_range = stage->promises & OWN_RANGE &&
