@@ -168,68 +168,101 @@ void trace_write_csv(FILE *file, const struct trace *trace)
 }
 
 /* What the table calls some of the names; the others stay as they are. */
-static void print_name(FILE *file, int width, const char *name, size_t length)
+static int name_text(char text[32], const char *name, size_t length)
 {
     static const char *const labels[][2] = {
         {"one_over_z", "1/z"}, {"u_over_z", "u/z"}, {"v_over_z", "v/z"},
         {"one_over_z_dx", "d(1/z)/dx"}, {"u_over_z_dx", "d(u/z)/dx"},
         {"v_over_z_dx", "d(v/z)/dx"}, {"x_step", "step"}, {"u_16_16", "U"}, {"v_16_16", "V"},
-        {"u_step_16_16", "U_step"}, {"v_step_16_16", "V_step"}, {"texel_u", "texel u"},
-        {"texel_v", "v"}};
+        {"u_step_16_16", "U_step"}, {"v_step_16_16", "V_step"}};
 
     for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++) {
         if (strncmp(labels[i][0], name, length) == 0 && labels[i][0][length] == '\0') {
-            fprintf(file, "%*s", width, labels[i][1]);
-            return;
+            return snprintf(text, 32, "%s", labels[i][1]);
         }
     }
-    fprintf(file, "%*.*s", width, (int)length, name);
+    return snprintf(text, 32, "%.*s", (int)length, name);
 }
 
-/* A name and a value for each that the stage has; but not which edge, or which row. */
+#define LINE_MAX_LENGTH 80
+
+/* A name and a value for each that the stage has, over as many lines as they need; but not which
+ * edge, or which row. */
 static void print_event(FILE *file, const struct trace *trace, const char *record,
                         const struct trace_event *event)
 {
     const char *names = names_of(trace, event);
     const int known = event->kind == TRACE_KIND_SPAN ? 2 : event->kind != TRACE_KIND_SEGMENT;
+    int at = fprintf(file, "  %-7s  line %d", record, event->line);
 
-    fprintf(file, "  %-7s  line %d", record, event->line);
     if (event->address) {
-        fprintf(file, "  x %d", trace_x(trace, event));
+        at += fprintf(file, "  x %d", trace_x(trace, event));
     }
     int i = 0;
     for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        if (i >= known) {
-            fputs("  ", file);
-            print_name(file, 0, names, n);
-            fprintf(file, " %.10g", event->values[i]);
+        char name[32], text[64];
+        if (i < known) {
+            continue;
         }
+        name_text(name, names, n);
+        const int length = snprintf(text, sizeof text, "  %s %.8g", name, event->values[i]);
+        if (at + length > LINE_MAX_LENGTH) {
+            at = fprintf(file, "\n         ") - 1;
+        }
+        at += length;
+        fputs(text, file);
     }
     fputs("\n", file);
 }
 
-/* A pixel's column by its name: a texel and 16.16 are whole numbers; 1/z and the like are small. */
+/* How wide a pixel's column is, by its name. */
+static int width_of(const char *name, size_t length)
+{
+    return strncmp(name, "texel_u", 7) == 0                               ? 6
+           : strncmp(name, "texel_v", 7) == 0                             ? 5
+           : length > 2 && strncmp(name + length - 2, "16", 2) == 0       ? 12
+           : length == 1 && name[0] == 'z'                                ? 8
+                                                                          : 9;
+}
+
+/* A texel and 16.16 are whole numbers; u, v and z have as many digits as fit. */
 static void print_cell(FILE *file, const char *name, size_t length, double value)
 {
-    const bool texel = strncmp(name, "texel", 5) == 0;
-    const bool whole = texel || (length > 2 && strncmp(name + length - 2, "16", 2) == 0);
+    const int width = width_of(name, length);
 
     if (isnan(value)) {
-        fprintf(file, "%*s", texel ? 9 : 12, "-");
+        fprintf(file, "%*s", width, "-");
+    } else if (length > 6 && width == 9) {
+        fprintf(file, "%9.5g", value);
+    } else if (width >= 8 && width <= 9) {
+        const double size = fabs(value);
+        fprintf(file, "%*.*f", width, size < 100 ? 4 : size < 10000 ? 2 : 1, value);
     } else {
-        fprintf(file, "%*.*f", texel ? 9 : 12, whole ? 0 : length > 6 ? 6 : 4, value);
+        fprintf(file, "%*.0f", width, value);
     }
+}
+
+/* What the exact answer has beside a pixel: u and v where the stage steps them, else the texel. */
+static void exact_columns(const struct trace *trace, int *first, int *end)
+{
+    *first = trace->stage->segment_length == 1 ? EXACT_VALUES - 2 : EXACT_U;
+    *end = *first + 2;
 }
 
 static void print_heads(FILE *file, const struct trace *trace, const struct trace_event *pixel)
 {
     const char *names = names_of(trace, pixel);
+    int first, end;
 
-    fprintf(file, "%5s", "x");
+    fprintf(file, "%4s", "x");
     for (size_t n; (n = next_name(&names)) > 0; names += n) {
-        print_name(file, strncmp(names, "texel", 5) == 0 ? 9 : 12, names, n);
+        char text[32];
+        name_text(text, names, n);
+        fprintf(file, "%*s", width_of(names, n), strcmp(text, "texel_u") == 0 ? "texel"
+                                                 : strcmp(text, "texel_v") == 0 ? "" : text);
     }
-    fprintf(file, "%12s%12s%9s%9s   line %d\n", "exact u", "exact v", "texel u", "v", pixel->line);
+    exact_columns(trace, &first, &end);
+    fputs(first == EXACT_U ? "  exact u  exact v\n" : " exact\n", file);
 }
 
 /* The stage's columns, then the exact answer's. */
@@ -240,16 +273,16 @@ static void print_pixel(FILE *file, const struct trace *trace, const struct trac
     const char *names = names_of(trace, pixel);
     double exact[EXACT_VALUES];
     const bool right = exact_values(trace, pixel, y, exact);
-    int i = 0;
+    int i = 0, end;
 
-    fprintf(file, "%5d", trace_x(trace, pixel));
+    fprintf(file, "%4d", trace_x(trace, pixel));
     for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
         print_cell(file, names, n, pixel->values[i]);
     }
-    for (i = EXACT_U; i < EXACT_VALUES; i++) {
+    for (exact_columns(trace, &i, &end); i < end; i++) {
         print_cell(file, exact_names[i], strlen(exact_names[i]), exact[i]);
     }
-    fputs(right ? "\n" : " *\n", file);
+    fputs(right ? "\n" : "*\n", file);
 }
 
 static void print_row(FILE *file, const struct trace *trace, const struct row *row)
@@ -268,6 +301,7 @@ static void print_row(FILE *file, const struct trace *trace, const struct row *r
     for (event = row->span; event < row->end; event++) {
         if (event->kind == TRACE_KIND_PIXEL) {
             if (!headed) {
+                fprintf(file, "  pixels   line %d\n", event->line);
                 print_heads(file, trace, event);
             }
             headed = true;
