@@ -80,7 +80,7 @@ minus_zero:     .double -0.0
         .set    AHEAD, 8
         .set    GROUP_SIZE, 128         /* sixteen indices, and */
         .set    GROUP_PIXELS, 64        /* where they are drawn */
-        .set    RING_BIT, 10            /* of an address; 0 in the ring, which has 2^10 bytes */
+        .set    RING_BIT, 10            /* of an address; 0 in the ring of 2^10 bytes */
         .set    STRIDES, AHEAD * GROUP_SIZE
         .set    NOWHERE, STRIDES + 32   /* sixteen pixels, or a short row's indices */
         .set    FOUR_Y, NOWHERE + 64
@@ -103,8 +103,102 @@ minus_zero:     .double -0.0
         vfmadd231pd \to, \by, ymm10
         .endm
 
-/* ymm0 = y of four rows. Writes what is needed to draw them to [rsi] */
-        .macro  make_rows_ready
+/* \t = q / (1 + q d) of eight pixels; q goes on */
+        .macro  begin_half t
+        vmovaps \t, ymm0
+        vfmadd213ps \t, ymm5, ymm15
+        vdivps  \t, ymm0, \t
+        vaddps  ymm0, ymm0, ymm9
+        .endm
+
+/* Their indices to \to; \t = fractions */
+        .macro  end_half t, to
+        vmulps  ymm2, \t, ymm6
+        vmulps  ymm3, \t, ymm7
+        index_texels \t
+        vmovdqa \to, ymm2
+        .endm
+
+/* Fetches the group at r9. Uses rax */
+        .macro  draw_group
+        mov     r8, [r9 + GROUP_PIXELS]
+        .irp    i, 0, 16, 32, 48
+        mov     eax, [r9 + \i]
+        vmovd   xmm1, [rdi + rax * 4]
+        mov     eax, [r9 + \i + 4]
+        vpinsrd xmm1, xmm1, [rdi + rax * 4], 1
+        mov     eax, [r9 + \i + 8]
+        vpinsrd xmm1, xmm1, [rdi + rax * 4], 2
+        mov     eax, [r9 + \i + 12]
+        vpinsrd xmm1, xmm1, [rdi + rax * 4], 3
+        vmovdqu [r8 + \i], xmm1
+        .endr
+        .endm
+
+/* Draws the oldest group and puts the one at q, \pixels, in its place: first the divides, then what
+ * need not wait for them */
+        .macro  draw_and_make pixels
+        begin_half ymm4
+        begin_half ymm8
+        draw_group
+        end_half ymm4, [r9]
+        end_half ymm8, [r9 + 32]
+        mov     [r9 + GROUP_PIXELS], \pixels
+        add     r9, GROUP_SIZE          /* the next in the ring */
+        btr     r9, RING_BIT
+        ask_doubt \pixels
+        .endm
+
+/* Is a fraction of these sixteen pixels below near? Uses rax, r8 */
+        .macro  ask_doubt pixels
+        vpminuw ymm1, ymm4, ymm8
+        vpsubusw ymm1, ymm13, ymm1      /* 0 where it is not */
+        vptest  ymm1, ymm1
+        jz      1f
+        mov     rax, \pixels
+        call    .Ldoubt
+1:
+        .endm
+
+        .globl  coda_draw_rows
+        .type   coda_draw_rows, @function
+coda_draw_rows:
+        endbr64
+        push    rbp
+        mov     rbp, rsp
+        push    rbx
+        push    r12
+        push    r13
+        sub     rsp, ROWS_FRAME
+        and     rsp, -ROWS_FRAME
+        mov     r12, rdx
+        mov     r13, rsi
+        load_mapping
+        vbroadcastsd ymm0, [r13 + Y]
+        vaddpd  ymm0, ymm0, [rip + four_rows]
+        vmovapd [rsp + FOUR_Y], ymm0
+
+        vpxor   xmm0, xmm0, xmm0        /* a ring of groups that lead nowhere, */
+        lea     rax, [rsp + NOWHERE]
+        mov     r9d, AHEAD * GROUP_SIZE
+.Lempty:
+        sub     r9, GROUP_SIZE
+        vmovdqa [rsp + r9], ymm0
+        vmovdqa [rsp + r9 + 32], ymm0
+        mov     [rsp + r9 + GROUP_PIXELS], rax
+        jnz     .Lempty
+        mov     r9, rsp
+        lea     rsi, [rsp + READY]      /* and four rows without pixels, above the first */
+        vmovdqa [rsi + READY_BIT + R_COUNT], xmm0
+        mov     edx, [r13 + COUNT]
+        add     edx, 4
+        mov     rax, [r13 + STRIDE]
+        mov     r10, [r13 + PIXELS]
+        shl     rax, 2
+        sub     r10, rax
+
+/* Makes rows y .. y + 3 ready, at [rsi] */
+.Lfour: vmovapd ymm0, [rsp + FOUR_Y]
         .irp    side, 1, 2              /* crossed at x + y dx */
         load    ymm\side, LEFT+32*(\side-1)
         add_times ymm\side, ymm0, LEFT+32*(\side-1)+8
@@ -184,109 +278,6 @@ minus_zero:     .double -0.0
         vaddpd  ymm5, ymm5, ymm9
         vcvttpd2dq xmm5, ymm5
         vmovdqa [rsi + R_NEAR], xmm5
-        .endm
-
-/* \t = q / (1 + q d) of eight pixels; q goes on */
-        .macro  begin_half t
-        vmovaps \t, ymm0
-        vfmadd213ps \t, ymm5, ymm15
-        vdivps  \t, ymm0, \t
-        vaddps  ymm0, ymm0, ymm9
-        .endm
-
-/* Their indices to \to; \t = fractions */
-        .macro  end_half t, to
-        vmulps  ymm2, \t, ymm6
-        vmulps  ymm3, \t, ymm7
-        index_texels \t
-        vmovdqa \to, ymm2
-        .endm
-
-/* Fetches the group at r9. Uses rax */
-        .macro  draw_group
-        mov     r8, [r9 + GROUP_PIXELS]
-        .irp    i, 0, 16, 32, 48
-        mov     eax, [r9 + \i]
-        vmovd   xmm1, [rdi + rax * 4]
-        mov     eax, [r9 + \i + 4]
-        vpinsrd xmm1, xmm1, [rdi + rax * 4], 1
-        mov     eax, [r9 + \i + 8]
-        vpinsrd xmm1, xmm1, [rdi + rax * 4], 2
-        mov     eax, [r9 + \i + 12]
-        vpinsrd xmm1, xmm1, [rdi + rax * 4], 3
-        vmovdqu [r8 + \i], xmm1
-        .endr
-        .endm
-
-/* To the next in the ring */
-        .macro  next_group
-        add     r9, GROUP_SIZE
-        btr     r9, RING_BIT
-        .endm
-
-/* Draws the oldest group and puts the one at q, \pixels, in its place: first the divides, then what
- * need not wait for them */
-        .macro  draw_and_make pixels
-        begin_half ymm4
-        begin_half ymm8
-        draw_group
-        end_half ymm4, [r9]
-        end_half ymm8, [r9 + 32]
-        mov     [r9 + GROUP_PIXELS], \pixels
-        next_group
-        ask_doubt \pixels
-        .endm
-
-/* Is a fraction of these sixteen pixels below near? Uses rax, r8 */
-        .macro  ask_doubt pixels
-        vpminuw ymm1, ymm4, ymm8
-        vpsubusw ymm1, ymm13, ymm1      /* 0 where it is not */
-        vptest  ymm1, ymm1
-        jz      1f
-        mov     rax, \pixels
-        call    .Ldoubt
-1:
-        .endm
-
-        .globl  coda_draw_rows
-        .type   coda_draw_rows, @function
-coda_draw_rows:
-        endbr64
-        push    rbp
-        mov     rbp, rsp
-        push    rbx
-        push    r12
-        push    r13
-        sub     rsp, ROWS_FRAME
-        and     rsp, -ROWS_FRAME
-        mov     r12, rdx
-        mov     r13, rsi
-        load_mapping
-        vbroadcastsd ymm0, [r13 + Y]
-        vaddpd  ymm0, ymm0, [rip + four_rows]
-        vmovapd [rsp + FOUR_Y], ymm0
-
-        vpxor   xmm0, xmm0, xmm0        /* a ring of groups that lead nowhere, */
-        lea     rax, [rsp + NOWHERE]
-        mov     r9d, AHEAD * GROUP_SIZE
-.Lempty:
-        sub     r9, GROUP_SIZE
-        vmovdqa [rsp + r9], ymm0
-        vmovdqa [rsp + r9 + 32], ymm0
-        mov     [rsp + r9 + GROUP_PIXELS], rax
-        jnz     .Lempty
-        mov     r9, rsp
-        lea     rsi, [rsp + READY]      /* and four rows without pixels, above the first */
-        vmovdqa [rsi + READY_BIT + R_COUNT], xmm0
-        mov     edx, [r13 + COUNT]
-        add     edx, 4
-        mov     rax, [r13 + STRIDE]
-        mov     r10, [r13 + PIXELS]
-        shl     rax, 2
-        sub     r10, rax
-
-.Lfour: vmovapd ymm0, [rsp + FOUR_Y]
-        make_rows_ready
         vaddpd  ymm0, ymm0, [rip + fours]
         vmovapd [rsp + FOUR_Y], ymm0
         vmovups ymm9, [r13 + EIGHTS]
@@ -332,7 +323,8 @@ coda_draw_rows:
 .Lrest: mov     ecx, AHEAD
 .Lolder:
         draw_group
-        next_group
+        add     r9, GROUP_SIZE          /* the next in the ring */
+        btr     r9, RING_BIT
         dec     ecx
         jnz     .Lolder
         mov     rax, r12
@@ -378,15 +370,12 @@ coda_draw_rows:
 
 /* A small triangle at once: its box row by row, its columns side by side. First which pixels lie
  * inside, a bit each, and the indices of all; then the texels of those inside. Rows of three or
- * four pixels, one by one, took twice as long: where each ends is a branch that nothing foretells,
- * and here there is none.
+ * four pixels, one by one, took twice as long: where each ends is a branch that nothing foretells.
  *
  *   rsi  box      r8d  columns      rcx  a row's first bit    r10  bits of the pixels inside
- *   rdx  pixels   r9d  rows left    rax  scratch              r11  of those in doubt
- */
+ *   rdx  pixels   r9d  rows left    rax  scratch              r11  of those in doubt */
         .set    STRIDES, 0
-        .set    INDICES, 32             /* of 64 pixels; the last row may stick out by 7, and */
-        .set    REPEATED, 64 * 4        /* then the 65th repeats the first one inside */
+        .set    INDICES, 32             /* of 64 pixels; the last row may stick out by 7 */
         .set    OFFSETS, INDICES + 9 * 32 /* in the frame, from the first: likewise */
         .set    BOX_FRAME, OFFSETS + 9 * 32
 
@@ -469,26 +458,15 @@ coda_draw_box:
         dec     r9d
         jnz     .Ltexels
 
-        tzcnt   rcx, r10
-        mov     eax, [rsp + rcx * 4 + INDICES]
-        mov     ecx, [rsp + rcx * 4 + OFFSETS]
-        mov     [rsp + INDICES + REPEATED], eax
-        mov     [rsp + OFFSETS + REPEATED], ecx
-        popcnt  rcx, r10
-        add     ecx, 7
-        shr     ecx, 3
+        test    r10, r10
         jz      .Lnone
-.Leight:
-        .rept   8                       /* out of bits, tzcnt says 64 */
-        tzcnt   rax, r10
-        blsr    r10, r10
+.Lone:  tzcnt   rax, r10
         mov     r8d, [rsp + rax * 4 + OFFSETS]
         mov     eax, [rsp + rax * 4 + INDICES]
         mov     eax, [rdi + rax * 4]
         mov     [rdx + r8 * 4], eax
-        .endr
-        dec     ecx
-        jnz     .Leight
+        blsr    r10, r10
+        jnz     .Lone
 .Lnone: mov     rax, r11
         leave
         vzeroupper

@@ -1,12 +1,10 @@
 /* The coda: what would one write today? The exact answer for every pixel, eight pixels at a time.
  *
- * Which pixels lie inside is decided by integers. A texel is found in float, whose error is
- * bounded; where a border between two texels lies within the bound the pixel is in doubt, and is
- * drawn again by integer weights, as tests/exact does. So every frame is that of `--stage exact`,
- * bit for bit.
+ * Integers decide which pixels lie inside. A texel is found in float, whose error is bounded; where
+ * a border between two texels lies within the bound the pixel is in doubt, and is drawn again by
+ * integer weights, as tests/exact does. So every frame is that of `--stage exact`, bit for bit.
  *
- * The two loops over pixels are in coda.S: x86-64 with AVX2, FMA, BMI (the caller asks for them).
- */
+ * The loops over pixels are in coda.S: x86-64 with AVX2, FMA, BMI (the caller asks for them). */
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
@@ -26,9 +24,9 @@ static int floor_to_int(double value) { return (int)(value + FLOOR_OFFSET) - FLO
 
 /* The edge from a to b, the triangle on the side where the cross product is positive:
  *   w(x, y) = (b - a) x (p - a) = constant + 2^16 (dx y - dy x)
- * in squared grid units, |w| < 2^60, at the pixel p = (x, y). A pixel on the edge is inside if it
- * is a left edge (w grows to the right) or a top one (w grows only downward): least is 0 then, else
- * 1. All but the constant is a multiple of 2^16, so that 16 bits drop out:
+ * in squared grid units, |w| < 2^60, at the pixel p = (x, y). A pixel on the edge is inside if that
+ * is a left one (w grows to the right) or a top one (w grows only downward): least is 0, else 1.
+ * All but the constant is a multiple of 2^16, so that 16 bits drop out:
  *   w >= least   <=>   inside(x, y) = floor((constant - least) / 2^16) + dx y - dy x >= 0 */
 struct edge { int64_t constant, dx, dy, least; };
 
@@ -129,8 +127,8 @@ static void plane_setup(struct plane *p, const struct triangle *t, double area, 
 }
 
 struct rows { /* what coda.S is told of a triangle's rows */
-    struct { double x, dx; } left[2], right[2]; /* edges: crossed at x + y dx */
-    struct { double constant, fraction, dx, dy; } shares[2]; /* w1, w2: whole numbers, a fraction */
+    struct border { double x, dx; } left[2], right[2]; /* edges: crossed at x + y dx */
+    struct share { double constant, fraction, dx, dy; } shares[2]; /* w1, w2 */
     double f1[LINEAR_COUNT], f2[LINEAR_COUNT];
     double step[LINEAR_COUNT];             /* a pixel away from the anchor */
     double uv[2];                          /* of vertex 0, and half a texel: 2^-16 texel */
@@ -179,15 +177,14 @@ static void draw_rows(const struct triangle *t, const struct plane *p, int colum
     const int away = r.from_right ? -1 : 1;
     for (int i = 0, lefts = 0, rights = 0; i < 3; i++) {
         const struct edge *e = &t->edges[i];
-        const double dx = (double)e->dx, dy = (double)e->dy, w = (double)(e->constant >> 16);
-        if (e->dy < 0)
-            for (int k = lefts++; k < 2; k++) /* one on that side: twice */
-                r.left[k].x = ((double)inside(e, 0, 0) + 0.5) / dy, r.left[k].dx = dx / dy;
-        else if (e->dy > 0)
-            for (int k = rights++; k < 2; k++)
-                r.right[k].x = ((double)inside(e, 0, 0) + 0.5) / dy, r.right[k].dx = dx / dy;
-        r.shares[i > 1].constant = w, r.shares[i > 1].dx = dx, r.shares[i > 1].dy = dy;
-        r.shares[i > 1].fraction = (double)(e->constant & (GRID_ONE - 1)) / GRID_ONE;
+        const double dx = (double)e->dx, dy = (double)e->dy;
+        if (e->dy != 0) { /* where a side has one edge only, it is there twice */
+            const struct border b = {((double)inside(e, 0, 0) + 0.5) / dy, dx / dy};
+            *(dy < 0 ? &r.left[lefts++] : &r.right[rights++]) = b;
+            *(dy < 0 ? &r.left[1] : &r.right[1]) = b;
+        }
+        r.shares[i > 1] = (struct share){(double)(e->constant >> 16),
+                                         (double)(e->constant & (GRID_ONE - 1)) / GRID_ONE, dx, dy};
         r.f1[i] = p->f1[i], r.f2[i] = p->f2[i], r.step[i] = away * p->dx[i];
     }
     for (int i = 0; i < 8; i++)
@@ -207,9 +204,9 @@ static void draw_rows(const struct triangle *t, const struct plane *p, int colum
     }
 }
 
-/* Over a box the same in float, from its first pixel. With box <= 4 area, and depths within 2 of
- * each other, u/z and v/z err by (24 4 + 2) 2^-24 of the range, 1/z by (12 4 + 4) 2^-24; with the
- * divide and the product that makes 302/256 < 1.2 for each texel of range. */
+/* Over a box the same in float, from its first pixel. With box <= 4 area and depths within a factor
+ * of 2, u/z and v/z err by (24 4 + 2) 2^-24 of the range, 1/z by (12 4 + 4) 2^-24 and u by twice
+ * their sum; with the divide and the product that makes 302/256 < 1.2 for each texel of range. */
 static void draw_box(const struct triangle *t, const struct plane *p, struct box *b, int x, int y)
 {
     uint32_t *pixels = &t->frame->pixels[y * t->frame->stride + x];

@@ -56,7 +56,7 @@ static void call(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS
     }
 }
 
-/* A pixel's u and v, 16.16 with half a texel and the error added; ranges of one texel are left
+/* A pixel's u and v, 16.16 with half a texel and the error added; ranges of two texels are left
  * out. */
 static void measure(int x, int y, const double fixed[2], double error)
 {
