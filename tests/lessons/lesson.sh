@@ -1,7 +1,7 @@
 #!/bin/sh
-# tests/lessons/lesson.sh BUILD N: what stage N (2 to 5) changes in the one before it. Prints the
-# source's difference, then accuracy and speed of both side by side, and writes the difference
-# picture to BUILD/out/lesson_N.png. `make lesson N=2` calls it. Exit status 2 for bad usage, or
+# tests/lessons/lesson.sh BUILD N: what stage N (2 to 5) changes in the one before it. Prints accuracy
+# and speed of both side by side, writes the difference picture to BUILD/out/lesson_N.png, and prints
+# the source's difference. `make lesson N=2` calls it. Exit status 2 for bad usage, or
 # when texmap fails.
 
 build=$1
@@ -20,24 +20,13 @@ esac
 
 texmap=$build/texmap
 out=$build/out
-size=320x240 # small, so that it takes seconds
+size=1024x768 # as in the lesson
 mkdir -p "$out" || exit 2
 
 echo "== Lesson $number: from $before to $after =="
-echo
-diff -u "$before/rasterize.c" "$after/rasterize.c"
-if [ "$number" -eq 5 ]; then
-    echo
-    echo "and, new: $after/span.S, $(grep -c '' "$after/span.S") lines"
-fi
-
-echo
-echo "== Measured: some seconds =="
-"$texmap" bench --stage all --scene all --size $size --seconds 6 --csv "$out/lesson.csv" \
+"$texmap" bench --stage all --scene all --size $size --seconds 12 --csv "$out/lesson.csv" \
     > "$out/lesson.txt"
 [ $? -ne 2 ] || exit 2 # 1: a stage is wrong, and has no time
-echo "Frames are small here: each pixel spans more texels, so errors can be many times those of the"
-echo "lesson's part on measuring. Compare only the two columns of a scene."
 # The columns are found by their names in the header.
 awk -F, -v before="$before" -v after="$after" '
     function row(title, column, format,    i, k, n) {
@@ -72,11 +61,22 @@ awk -F, -v before="$before" -v after="$after" '
         row("extra pixels", "coverage_extra", "%d")
         row("ns per pixel", "ns_per_pixel_min", "%.2f")
     }' "$out/lesson.csv"
-echo "Frames of $size; ns per pixel, the least of some rounds. \`texmap help accuracy\` says more,"
-echo "and \`texmap accuracy\` how much the texture swims; \`make bench\` has more patience."
+echo "Frames of $size; ns per pixel, the least of some rounds. \`texmap help accuracy\` says more."
 
-echo
-echo "== The room, drawn by both =="
 "$texmap" diff --stages "$before,$after" --scene room -o "$out/lesson_$number.png" || exit 2
-echo "Where: $out/lesson_$number.png. Agreeing pixels are dimmed; blue to red, 1 to 32 texels apart"
-echo "or more; magenta, only $before drew it; white, only $after."
+echo "Where the room differs: $out/lesson_$number.png. Pixels that agree are dimmed; blue to red, 1 to"
+echo "32 texels apart or more; magenta, only $before drew it; white, only $after."
+
+# The source last: it is long. Coloured, and a page at a time, where somebody looks at it.
+[ "$number" -ne 5 ] || echo "New: $after/span.S, $(grep -c '' "$after/span.S") lines"
+colour=
+if [ -t 1 ]; then
+    show=${PAGER:-more}
+    [ "${NO_COLOR-}" ] || ! diff --color=always /dev/null /dev/null 2> /dev/null || colour=--color=always
+    command -v less > /dev/null && show=${PAGER:-less -R}
+else
+    show=cat
+fi
+echo
+diff $colour -u --label "$before/rasterize.c" --label "$after/rasterize.c" \
+    "$before/rasterize.c" "$after/rasterize.c" | $show
