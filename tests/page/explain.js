@@ -147,7 +147,8 @@ function explainEdge(run, event) {
       "Integers take the edge there, and the gradients take 1/z, u/z and v/z from the corner to " +
       "the centre of the first pixel.",
     formulas: [steps,
-      `N = ${by(x0 - unit * whole, dy)} + ${by(prestep, dx)} + D \u2212 1 = ${s(n)}`,
+      `N = x0 dy + prestep dx + D \u2212 1 = ${by(x0 - unit * whole, dy)} + ${by(prestep, dx)} + ` +
+        `${s(v.denominator)} \u2212 1 = ${s(n)}  (sixteenths; x0 from pixel ${whole} on)`,
       `x = ${whole} + floor(N / D) = ${whole} + floor(${s(n)} / ${s(v.denominator)}) = ${s(v.x)}`,
       `error = N \u2212 ${factor(v.x - whole)} D = ${s(v.error)}`,
       `prestep_x = ${s(v.x)} \u2212 ${factor(top.x)} = ${s(v.x - top.x)},  prestep_y = ` +

@@ -63,7 +63,8 @@ bool report_accuracy(FILE *out, struct error *error)
                 "640x480 pixels and frame 0. In a smaller frame a rounded vertex is off by more of "
                 "the picture, and a pixel spans more texels, so that the figures here are larger. "
                 "Stages 1 and 2 truncate u and v: of two axes, three pixels in four lose "
-                "something.</p>\n");
+                "something. That is so by our convention that a texel's centre lies at whole u, v; "
+                "moved by half a texel, truncating is rounding.</p>\n");
         meter_destroy(&meter);
     }
     source_close(&source);

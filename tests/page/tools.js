@@ -130,6 +130,7 @@ class Player {
  *             zoom=1..16  at=X,Y
  *   assembly  recording=0|1|2  at=INSTRUCTION
  *   cases     case=NAME
+ *   assembly  recording=0..  at=STEP
  *
  * What is left out stays as it is when the page opens. */
 const Address = {
