@@ -1,10 +1,12 @@
-/* node test.mjs BUILD BROWSER: see tests/page/test.sh. A check prints what it expected and got. */
-import { execFileSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+/* node test.mjs BUILD BROWSER [FIREFOX]: see tests/page/test.sh. A check prints what it expected and got. */
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { resolve } from "node:path";
 
-const [build, browserPath] = process.argv.slice(2);
+const [build, browserPath, firefox] = process.argv.slice(2);
 const require = createRequire(resolve(build, "npm/package.json"));
 const { chromium } = require("playwright-core");
 const texmap = (...words) => execFileSync(`${build}/texmap`, words, { maxBuffer: 1 << 28 });
@@ -377,6 +379,40 @@ async function testSpeed(page) {
     ready, drag);
 }
 
+/* In another engine: a page around it asks what it holds, and tells this program. */
+const AROUND = `<iframe src="/page" width="1200" height="900"></iframe><script>
+const frame = document.querySelector("iframe"), timer = setInterval(() => {
+  const { page, document: inside } = frame.contentWindow;
+  if (page && page.loaded || !inside.getElementById("broken").hidden) {
+    clearInterval(timer);
+    fetch("/said", { method: "POST", body: JSON.stringify([inside.getElementById("broken").textContent,
+      page && page.stepper.run.events.map(({ v }) => v), page && page.pictures.rooms.size]) });
+  }
+}, 200);</script>`;
+
+async function testFirefox(page) {
+  const expected = await page.evaluate(() => ["", window.page.stepper.run.events.map(({ v }) => v),
+    window.page.pictures.rooms.size]);
+  let server, running;
+  const said = await new Promise((done) => {
+    server = createServer((request, response) => {
+      let body = "";
+      request.on("data", (part) => { body += part; });
+      request.on("end", () => (body ? done(JSON.parse(body)) : null));
+      response.setHeader("Content-Type", "text/html");
+      response.end(request.url === "/page" ? html : AROUND);
+    }).listen(0, "127.0.0.1", () => {
+      running = spawn(firefox, ["--headless", "--profile", mkdtempSync(`${tmpdir()}/firefox`),
+        `http://127.0.0.1:${server.address().port}/`], { stdio: "ignore" });
+      setTimeout(() => done("nothing in a minute"), 60000).unref();
+    });
+  });
+  running.kill();
+  server.close();
+  server.closeAllConnections();
+  same(said, expected, "Firefox steps through the same");
+}
+
 const html = readFileSync(`${build}/report/index.html`, "utf8");
 check(html.length < 5e6, "the page is under 5 MB", html.length);
 await testGolden(/id="module">\s*([^<]*)/.exec(html)[1], "the page's module");
@@ -393,6 +429,7 @@ const page = await open(browser);
 await testSpeed(page);
 await page.reload();
 await page.waitForFunction(() => window.page && window.page.loaded);
+await (firefox ? testFirefox(page) : console.log("not in Firefox: Debian package firefox-esr"));
 await testFrames(page, "the first triangle");
 await testTrace(page);
 await testPick(page);

@@ -25,13 +25,4 @@ fi
 "$build/texmap" report -o "$build/report" > /dev/null 2>&1 || exit 1
 moved=$(sh tests/page/wasm/build.sh fresh) ||
     echo "the module in the repository is older than" $moved "(make page-wasm)"
-node tests/page/test.mjs "$build" "$browser" || exit 1
-
-# Another engine: does it open at all? A page that broke says so in red.
-if command -v firefox-esr > /dev/null; then
-    timeout 60 firefox-esr --headless --screenshot "$build/report/firefox.png" \
-        "file://$(realpath "$build")/report/index.html" > /dev/null 2>&1
-    [ -s "$build/report/firefox.png" ] && echo "Firefox opens it: $build/report/firefox.png"
-else
-    echo 'not in Firefox: Debian package firefox-esr is not installed'
-fi
+node tests/page/test.mjs "$build" "$browser" $(command -v firefox-esr)
