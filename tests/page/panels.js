@@ -161,7 +161,7 @@ class Chords {
     const { run } = stepper;
     this.run = run;
     this.span = event && event.span !== undefined ? run.at(event.span) : run.events
-      .find((one) => KINDS[one.kind] === "span");
+      .find((one) => one.end > one.first);
     if (this.span) {
       const v = this.span.v, at = (p, key) => v[key] + p * v[`${key}_dx`];
       this.first = this.span.first;

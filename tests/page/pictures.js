@@ -141,7 +141,8 @@ class Pictures {
     const at = (i, j) => (y + j) * ROOM_SIZE[0] + x + i;
     drawPixels(c, (i, j) => {
       const error = this.state.show === "error" ? errorAt(room.errors, at(i, j)) : -1;
-      return error < 0 ? room.picture[at(i, j)] : pixelOf(error === 0 ? "raised" : errorClass(error));
+      return error < 0 ? room.picture[at(i, j)]
+        : pixelOf(error === 0 ? "raised" : errorClass(error));
     }, w, h, width / w);
     const [cx, cy] = this.hover || this.state.at;
     c.strokeStyle = colour("now");

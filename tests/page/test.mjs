@@ -1,4 +1,5 @@
-/* node test.mjs BUILD BROWSER [FIREFOX]: see tests/page/test.sh. A check prints what it expected and got. */
+/* node test.mjs BUILD BROWSER [FIREFOX]: see tests/page/test.sh. A check that fails prints what it
+ * expected, and what it got. */
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -385,7 +386,8 @@ const frame = document.querySelector("iframe"), timer = setInterval(() => {
   const { page, document: inside } = frame.contentWindow;
   if (page && page.loaded || !inside.getElementById("broken").hidden) {
     clearInterval(timer);
-    fetch("/said", { method: "POST", body: JSON.stringify([inside.getElementById("broken").textContent,
+    const broken = inside.getElementById("broken").textContent;
+    fetch("/said", { method: "POST", body: JSON.stringify([broken,
       page && page.stepper.run.events.map(({ v }) => v), page && page.pictures.rooms.size]) });
   }
 }, 200);</script>`;
