@@ -140,7 +140,7 @@ $(BUILD)/trace/span.o: $(BUILD)/trace/span.S $(BUILD)/flags
 
 # The page of `texmap report`: its files as one C file, and stages 1 to 4 as WebAssembly, made anew
 # where clang and wasm-ld are.
-MODULE = tests/page/wasm/stages.wasm.base64
+MODULE = tests/page/stages.wasm.base64
 $(BUILD)/page/stages.wasm.base64: $(MODULE) $(shell sh tests/page/wasm/build.sh list)
 	@mkdir -p $(@D)
 	$(call say,WASM) sh tests/page/wasm/build.sh choose $@

@@ -20,15 +20,14 @@ class Panels {
       this.thumbs.set(stage.number, { thumb, canvas, says });
     }
     this.sources = STEPPED.map((n) => byId(`source-${n}`).textContent.split("\n"));
-    this.shown = {};
   }
 
   draw(stepper, event) {
+    this.drawThumbs(stepper); /* canvases before texts: reading a size after that is slow */
+    new Chords(stepper, event).draw(event);
     this.drawWhy(stepper, event);
-    this.drawThumbs(stepper);
     clearTimeout(this.waiting); /* every stage is traced for it: not while a vertex is dragged */
     this.waiting = setTimeout(() => this.drawCosts(stepper), 80);
-    new Chords(stepper, event).draw(event);
   }
 
   drawWhy({ run, state, stages, earlier }, event) {
@@ -61,6 +60,10 @@ class Panels {
         { class: `source${/^ *TRACE_/.test(text) ? " trace" : ""}` },
         `${String(i + 1).padStart(3)}   ${text}\n`)));
     }
+    if (pre.dataset.shown === `${stage} ${event && event.line}`) {
+      return;
+    }
+    pre.dataset.shown = `${stage} ${event && event.line}`;
     pre.querySelectorAll(".run").forEach((node) => node.classList.remove("run"));
     const block = event ? statementsOf(lines, event) : [];
     block.forEach((i) => pre.children[i].classList.add("run"));
@@ -73,18 +76,20 @@ class Panels {
   }
 
   drawThumbs({ results, state, list, measured }) {
-    for (const [n, { thumb, canvas, says }] of this.thumbs) {
+    for (const [n, { canvas }] of this.thumbs) {
       const result = results.get(standIn(n));
       const window = fit([state.v], state.size);
       const cell = Math.min((canvas.clientWidth || 180) / window.w, 160 / window.h);
       const [c] = context(canvas, Math.ceil(cell * window.h));
       drawSmall(c, result, window, cell, state.size[0]);
+    }
+    for (const [n, { thumb, says }] of this.thumbs) {
       if (STEPPED.includes(n)) {
         thumb.setAttribute("aria-pressed", String(n === state.stage));
       }
       says.textContent = n === EXACT ? "what every stage is held against"
         : n === 5 ? "stage 4's frame, bit for bit"
-          : measured && list.length ? verdict(result) : "";
+          : measured && list.length ? verdict(results.get(n)) : "";
     }
   }
 

@@ -420,7 +420,7 @@ check(html.length < 5e6, "the page is under 5 MB", html.length);
 await testGolden(/id="module">\s*([^<]*)/.exec(html)[1], "the page's module");
 try {
   execFileSync("sh", ["tests/page/wasm/build.sh", "fresh"]);
-  await testGolden(readFileSync("tests/page/wasm/stages.wasm.base64", "utf8"),
+  await testGolden(readFileSync("tests/page/stages.wasm.base64", "utf8"),
     "the module in the repository");
 } catch (stale) {
   check(stale.stdout, "the module is fresh, or said to be older", stale);

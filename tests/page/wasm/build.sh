@@ -62,7 +62,7 @@ choose()
     if command -v clang > /dev/null && command -v wasm-ld > /dev/null && sh "$0" build "$1"; then
         return
     fi
-    cp $here/stages.wasm.base64 "$1"
+    cp tests/page/stages.wasm.base64 "$1"
     moved=$(sh "$0" fresh) || echo "<p class=\"note\">The code that runs here is older than these" \
         "files: ${moved}. With clang and lld installed, make report compiles them.</p>" > "$note"
 }
@@ -83,6 +83,6 @@ choose) choose "$2" ;;
 list) list ;;
 check) check ;;
 sources) list | while read -r file; do cksum "$file"; done ;;
-fresh) sh "$0" sources | diff - $here/stages.wasm.sources | sed -n 's/^[<>] [0-9]* [0-9]* //p' |
+fresh) sh "$0" sources | diff - tests/page/stages.wasm.sources | sed -n 's/^[<>] [0-9]* [0-9]* //p' |
     sort -u | awk '{ print } END { exit NR > 0 }' ;;
 esac
