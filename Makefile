@@ -45,7 +45,7 @@ define newline
 endef
 
 .PHONY: all test bench chart compare lesson exercise report page-wasm golden results \
-	readme pictures stability debug clean help test-page test-exercises test-long test-matrix \
+	readme pictures stability steps debug clean help test-page test-exercises test-long test-matrix \
 	test-contract test-aarch64 test-valgrind sanitize torture fuzz FORCE
 .SECONDEXPANSION:
 
@@ -171,6 +171,10 @@ golden: $(BUILD)/test
 #: make stability     the stability table and its curves, to tests/results/
 stability: $(BUILD)/stability
 	$(BUILD)/stability --csv tests/results/stability.csv --curves tests/results
+
+#: make steps         stage 3 with one change undone at a time, to tests/results/: a quiet machine
+steps: $(BUILD)/texmap
+	@sh tests/lessons/steps.sh $(BUILD)
 
 #: make results       tests/results/bench.csv and chart.svg, anew: two minutes of a quiet machine
 results: $(BUILD)/texmap

@@ -1,0 +1,106 @@
+#!/bin/sh
+# tests/lessons/steps.sh BUILD: stage 3 with one of its changes undone at a time, each measured:
+# what is lost without it, and what it costs. Writes tests/results/steps.csv. `make steps` calls it.
+# tests/lessons/steps.sh --table: that file as Markdown, for lesson 3.
+#
+# tests/lessons/steps/*.sed undo a change each in stage3_fixed28_4/rasterize.c; the first line says
+# what. What they leave is measured as `--stage mine`, and its speed beside stage 3's by
+# tests/bench/compare.sh. It keeps no promises, and serves for nothing else.
+
+results=tests/results/steps.csv
+stage=stage3_fixed28_4
+
+if [ "$1" = --table ]; then
+    awk -F, '
+        function below(value, step) {
+            return value < step ? "&lt; 1/" int(1 / step + .5) : sprintf("%.2f", value)
+        }
+        /^#/ { next }
+        !names { names = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+        !rows++ {
+            print "| stage 3, but | jitter | wrong texels, % | drift | outside | times as fast |" \
+                "\n|---|---:|---:|---:|---:|---:|"
+        }
+        {
+            printf "| %s | %.3f | %.2f | %s | %d | %.2f |\n", $at["but"], $at["jitter_rms"],
+                $at["wall_wrong_texel_pct"], below($at["drift_max"], $at["drift_step"]),
+                $at["borders_outside"], $at["wall_speed"]
+        }' $results
+    exit
+fi
+
+build=$1
+compile=$(cat "$build/flags")
+
+# field NAME...: of the CSV on standard input, which has one row.
+field() {
+    awk -F, -v names="$*" '
+        /^#/ { next }
+        !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+        {
+            count = split(names, name, " ")
+            for (i = 1; i <= count; i++) printf "%s%s", $at[name[i]], i < count ? "," : "\n"
+        }'
+}
+
+# accuracy FOLDER CASE FIELD...: of the changed stage.
+accuracy() {
+    folder=$1
+    case=$2
+    shift 2
+    "$folder/texmap" accuracy --stage mine --triangles "tests/cases/$case.tri" \
+        --csv "$folder/$case.csv" > /dev/null && field "$@" < "$folder/$case.csv"
+}
+
+# measure FOLDER BUT: a line of the results.
+measure() {
+    tree=$1
+    digit=1 # truncates, and its position is measured so
+    ! grep -q '16384[.]5' "$tree/$stage/rasterize.c" || digit=3
+    $compile -DEXERCISE_STAGE="\"$digit\"" -c -o "$tree/mine.o" tests/lessons/mine.c &&
+        $compile -Dstage3_draw_triangle=mine_draw_triangle -c -o "$tree/stage.o" \
+            "$tree/$stage/rasterize.c" &&
+        $compile -o "$tree/texmap" "$tree/mine.o" "$tree/stage.o" \
+            "$build/tests/program/texmap_main.o" "$build/texmap.a" -lm || return 2
+    for try in 1 2 3; do
+        sh tests/bench/compare.sh "$build" . "$tree" 3 >> "$tree/compare.txt" || return 2
+    done
+    jitter=$(accuracy "$tree" swim jitter_rms) || return 2
+    drift=$(accuracy "$tree" drift_4096 position_max ruler_step) || return 2
+    outside=$(accuracy "$tree" borders wrong_texel_pct pixels) || return 2
+    echo "$2,$jitter,$drift,$outside" | awk -F, -v OFS=, '
+        # scene, pixels that differ, wrong texels of both, position of both, ns of both, ...
+        function least(a, b) { return a == "" || b < a ? b : a }
+        FILENAME != "-" {
+            if ($0 !~ /^wall /) next
+            gsub(/< /, "<")
+            split($0, part, " +")
+            wrong = part[4]
+            before = least(before, part[7] + 0)
+            after = least(after, part[8] + 0)
+            next
+        }
+        { print $1, $2, wrong, $3, $4, $5 * $6 / 100, before / after }
+        ' "$tree/compare.txt" -
+}
+
+made=$build/steps.csv
+{
+    echo "# Stage 3 with one change undone. jitter: swim.tri, texels RMS. drift: drift_4096.tri, texels."
+    echo "# outside: pixels of borders.tri with a texel from outside the texture. Speed: stage 3 is 1."
+    echo "but,jitter_rms,wall_wrong_texel_pct,drift_max,drift_step,borders_outside,wall_speed"
+} > "$made" || exit 2
+for script in '' tests/lessons/steps/*.sed; do
+    tree=$build/steps/$(basename "${script:-none}" .sed)
+    rm -rf "$tree"
+    mkdir -p "$tree/$stage" && ln -s "$PWD/common" "$tree/common" &&
+        sed -f "${script:-/dev/null}" $stage/rasterize.c > "$tree/$stage/rasterize.c" || exit 2
+    if [ "$script" ] && cmp -s "$tree/$stage/rasterize.c" $stage/rasterize.c; then
+        echo "steps: $script changes nothing in $stage/rasterize.c" >&2
+        exit 2
+    fi
+    but='nothing undone'
+    [ ! "$script" ] || but=$(sed -n '1s/^# //p' "$script")
+    measure "$tree" "$but" >> "$made" || exit 2
+done
+mv "$made" $results && cat $results
