@@ -253,7 +253,7 @@ stale_numbers() {
     } | awk '
         /^TEXT$/ { text = 1; next }
         !text {
-            while (match($0, /[0-9]*[.]?[0-9]+/)) {
+            while (match($0, /[0-9]*[.][0-9]+|[0-9]+/)) { # mawk errs with [.]?
                 known[substr($0, RSTART, RLENGTH)]
                 $0 = substr($0, RSTART + RLENGTH)
             }

@@ -86,8 +86,8 @@ measure() {
 
 made=$build/steps.csv
 {
-    echo "# Stage 3 with one change undone. jitter: swim.tri, texels RMS. drift: drift_4096.tri, texels."
-    echo "# outside: pixels of borders.tri with a texel from outside the texture. Speed: stage 3 is 1."
+    echo "# Stage 3 with one change undone. Jitter of swim.tri, drift of drift_4096.tri: texels."
+    echo "# Outside: pixels of borders.tri with a texel outside the texture. Speed: stage 3 is 1."
     echo "but,jitter_rms,wall_wrong_texel_pct,drift_max,drift_step,borders_outside,wall_speed"
 } > "$made" || exit 2
 for script in '' tests/lessons/steps/*.sed; do
