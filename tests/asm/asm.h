@@ -12,25 +12,11 @@
 #define ASM_TEXT 1024
 #define ASM_NAME 160
 
-/* Does stage5_draw_segments keep this promise, in about `segments` segments? If not, `text` says
+/* Does stage5_draw_segments keep its promises, in about `segments` segments? If not, `text` says
  * where. */
-struct asm_check {
-    const char *name;
-    bool (*holds)(long segments, char text[ASM_TEXT]);
-};
-
-/* Ends with name == NULL. Where one fails the next is not safe to try: the first of them finds
- * routines that no C can call, the second those that write where they like. */
-extern const struct asm_check asm_checks[];
-
-bool asm_convention(long segments, char text[ASM_TEXT]);
-bool asm_guards(long segments, char text[ASM_TEXT]);
+bool asm_convention(char text[ASM_TEXT]);
+bool asm_guards(char text[ASM_TEXT]);
 bool asm_segments(long segments, char text[ASM_TEXT]);
-bool asm_triangles(long segments, char text[ASM_TEXT]);
-
-/* Checks of their own: the routine that calls, the object file. */
-void test_call(void);
-void test_asm_object(void);
 
 /* Memory whose first or last byte has a page beside it that ends the program when touched. */
 struct guarded {

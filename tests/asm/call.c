@@ -1,9 +1,8 @@
-/* The C half of call_checked(), and the test of it: routines broken on purpose. */
+/* The C half of call_checked(). tests/mistakes/ shows what it finds. */
 #include "tests/asm/call_checked.h"
 
 #include <stdio.h>
 #include <string.h>
-#include "tests/unit/check.h"
 #include "tests/asm/asm.h"
 
 #ifdef TEXMAP_STAGE5
@@ -89,36 +88,6 @@ bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENT
     all &= kept(memcmp(fa->x87_registers, fb->x87_registers, sizeof fa->x87_registers) == 0, "mmx",
                 text, size);
     return all;
-}
-
-/* In call_broken.S. */
-void break_rbx(void), break_rbp(void), break_r12(void), break_r13(void), break_r14(void),
-    break_r15(void), break_rsp(void), break_stack(void), break_direction(void), break_mxcsr(void),
-    break_x87_control(void), break_x87_tags(void), break_mmx(void), break_nothing(void);
-
-void test_call(void)
-{
-    static const struct {
-        void (*function)(void);
-        const char *expected; /* the part of it that must be named, and the only one */
-    } broken[] = {
-        {break_rbx, "rbx"},         {break_rbp, "rbp"},
-        {break_r12, "r12"},         {break_r13, "r13"},
-        {break_r14, "r14"},         {break_r15, "r15"},
-        {break_rsp, "rsp"},         {break_stack, "stack"},
-        {break_direction, "direction"}, {break_mxcsr, "mxcsr"},
-        {break_x87_control, "x87_control"}, {break_x87_tags, "x87_tags"},
-        {break_mmx, "mmx"},         {break_nothing, ""},
-    };
-    const uint64_t arguments[CALL_ARGUMENTS] = {0};
-
-    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
-        char name[ASM_NAME], text[ASM_TEXT];
-        call_checked(broken[i].function, arguments, text, sizeof text);
-        snprintf(name, sizeof name, "a routine that breaks %s is found out",
-                 *broken[i].expected ? broken[i].expected : "nothing");
-        check(strcmp(text, broken[i].expected) == 0, name, "named: \"%s\"", text);
-    }
 }
 
 #endif

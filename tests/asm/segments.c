@@ -205,12 +205,11 @@ bool asm_segments(long segments, char text[ASM_TEXT])
 }
 
 /* A frame of every width to a segment and a half, with a guard page beside each row. */
-bool asm_guards(long segments, char text[ASM_TEXT])
+bool asm_guards(char text[ASM_TEXT])
 {
     struct random random = random_start(502);
     bool hold = true;
 
-    (void)segments;
     for (int i = 0; hold && i < 2 * (SEGMENT_LENGTH + SEGMENT_LENGTH / 2); i++) {
         struct guarded memory;
         struct job job;
@@ -226,12 +225,11 @@ bool asm_guards(long segments, char text[ASM_TEXT])
     return hold;
 }
 
-bool asm_convention(long segments, char text[ASM_TEXT])
+bool asm_convention(char text[ASM_TEXT])
 {
     struct random random = random_start(503);
     struct job job;
 
-    (void)segments;
     job_create(&job, &random, SETTINGS / 2, true);
     job.changed[0] = '\0';
     for (int i = 0; i < CONVENTION_CALLS && job.changed[0] == '\0'; i++) {

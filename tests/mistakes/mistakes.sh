@@ -96,7 +96,7 @@ try() {
     case $group in
     */*) TEXMAP_PROGRAM=$folder/$name/test sh "$group" > "$folder/$name/output" 2>&1 ;;
     *)
-        TEXMAP_STAGE=$stage TEXMAP_SPANS=50000 "$folder/$name/test" "$group" \
+        TEXMAP_STAGE=$stage TEXMAP_SEGMENTS=50000 "$folder/$name/test" "$group" \
             > "$folder/$name/output" 2>&1
         ;;
     esac
