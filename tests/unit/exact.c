@@ -132,5 +132,4 @@ void test_exact(void)
     test_exact_judge();
     test_exact_accuracy();
     test_exact_jitter();
-    test_exact_diff();
 }

@@ -5,9 +5,8 @@
 /* Coverage against a judge that was written for that, u and v against another formula. */
 void test_exact_judge(void);
 
-/* accuracy against rasterizers of known errors; diff against pictures. */
+/* accuracy against rasterizers of known errors. */
 void test_exact_accuracy(void);
 void test_exact_jitter(void);
-void test_exact_diff(void);
 
 #endif

@@ -80,6 +80,11 @@ static const struct sample tri_samples[] = {
     {TEXT("0 nan 1 0 0\n"), "1: y is nan: not a number"},
     {TEXT("inf 0 1 0 0\n"), "1: x is inf: outside the limits, -65536 to 65536"},
     {TEXT("0 0 1 0 1e999\n"), "1: v is 1e999: outside the limits, -16384 to 16384"},
+    {TEXT("65536.01 0 1 0 0\n"), "1: x is 65536.01: outside the limits, -65536 to 65536"},
+    {TEXT("-65537 0 1 0 0\n"), "1: x is -65537: outside the limits, -65536 to 65536"},
+    {TEXT("0 65537 1 0 0\n"), "1: y is 65537: outside the limits, -65536 to 65536"},
+    {TEXT("0 0 1 -16384.01 0\n"), "1: u is -16384.01: outside the limits, -16384 to 16384"},
+    {TEXT("0 0 1 0 -16385\n"), "1: v is -16385: outside the limits, -16384 to 16384"},
     {TEXT("0 0 0 0 0\n"), "1: z is 0: outside the limits, 0.0625 to 4096"},
     {TEXT("0 0 4097 0 0\n"), "1: z is 4097: outside the limits, 0.0625 to 4096"},
     /* As floats these lie on the limit; as written, beyond it. */

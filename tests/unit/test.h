@@ -15,7 +15,6 @@
     GROUP(clip, test_scenes) \
     GROUP(raster, test_raster) \
     GROUP(cli, test_cli) \
-    GROUP(cli, test_cli_many) \
     GROUP(cli, test_faults) \
     GROUP(exact, test_exact) \
     GROUP(gates, test_gates) \
@@ -23,7 +22,6 @@
     GROUP(coda, test_coda) \
     GROUP(golden, test_golden) \
     GROUP(limits, test_limits) \
-    GROUP(limits, test_limits_entry) \
     GROUP(limits, test_arithmetic) \
     GROUP(stability, test_stability) \
     GROUP(trace, test_trace) \

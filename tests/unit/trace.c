@@ -257,5 +257,4 @@ void test_trace(void)
     test_trace_steps(&random, &texture);
     image_destroy(&texture);
     test_trace_files();
-    test_trace_cli();
 }

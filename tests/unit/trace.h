@@ -8,9 +8,8 @@
 /* A random triangle, no sliver, inside a frame of 80x48, for the coordinate texture. */
 void test_trace_triangle(struct random *random, struct triangle *triangle);
 
-/* The rest of the group: CSV and the table; the command. */
+/* The rest of the group: CSV and the table. */
 void test_trace_files(void);
-void test_trace_cli(void);
 
 /* The steps of stage 5's assembly. */
 struct image;
