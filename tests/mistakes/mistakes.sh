@@ -102,6 +102,8 @@ try() {
     esac
     if grep -Fq "FAIL $test" "$folder/$name/output"; then
         echo "ok $name is caught by: $test"
+    elif grep -Fq "SKIP $test" "$folder/$name/output"; then
+        echo "SKIP $name: so is: $test"
     else
         echo "FAIL $name: not caught by: $test"
         sed 's/^/     /' "$folder/$name/output"

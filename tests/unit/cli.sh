@@ -122,8 +122,8 @@ test_that 'a texture from a pipe' eval 'ln -s /dev/stdin stdin.ppm; cat abc.ppm 
     texmap render --stage 1 --triangles all.tri $small --texture stdin.ppm -o a.ppm &&
     cmp a.ppm expected.ppm'
 
-# A million triangles, each around one pixel's centre; all of it shows the texel whose indices are the
-# pixel's, modulo 256. So do two triangles over the frame, with u = x and v = y.
+# A million triangles, each around one pixel's centre; all of it shows the texel whose indices are
+# the pixel's, modulo 256. So do two triangles over the frame, with u = x and v = y.
 awk 'BEGIN {
     for (y = 0; y < 1000; y++) {
         for (x = 0; x < 1000; x++) {
@@ -204,7 +204,7 @@ figures='function around(d) { d = (d + 256) % 256; return d < 128 ? d : 256 - d 
       coverage += !$3 != !$6; texel += both && du + dv; dark = $7 < 64 && $8 < 64 && $9 < 64
       if (both && du > max) max = du
       if (both && dv > max) max = dv
-      if (dark == ($3 != $6 || both && du + dv)) print "the picture is not dark where it should be" }
+      if (dark == ($3 != $6 || both && du + dv)) print "the picture is wrong" }
     END { printf "pixels %d differing %d (%.4f %%) coverage %d texel %d max %d ties 0\n", pixels,
           coverage + texel, 100 * (coverage + texel) / pixels, coverage, texel, max }'
 source='--triangles moved.tri --size 64x64'
@@ -216,8 +216,8 @@ paste -d ' ' a.txt b.txt d.txt | awk "$figures" > counted.txt
 test_that 'diff counts what two rendered pictures show, and its picture dims what agrees' eval \
     'cmp diff.txt counted.txt && ! grep "coverage 0\|texel 0" diff.txt'
 
-# trace: of two triangles the first covers rows 2 to 8, the second has no area. And one that is drawn
-# at half its size: every pixel lies on the border of two texels along both axes.
+# trace: of two triangles the first covers rows 2 to 8, the second has no area. And one that is
+# drawn at half its size: every pixel lies on the border of two texels along both axes.
 
 # traces NUMBER PATTERN ARGUMENT...: so many lines of `texmap trace` match.
 traces() {
@@ -247,7 +247,7 @@ done
 test_that 'trace: vertices as given, what clipping made of them, and those rounded' eval \
     'traces 3 "^given " --stage 3 --triangles pair.tri --size 10x20 && shows 3 "^clipped " -gt &&
     shows $(grep -c "^clipped " trace.txt) "^rounded "'
-test_that 'trace: a triangle inside the frame is not clipped' traces 0 '^clipped ' $pair --triangle 1
+test_that 'trace: a triangle inside the frame is not clipped' traces 0 '^clipped ' $pair
 test_that 'trace says which rows there are' eval \
     'texmap trace $pair --row 9 2>&1 | grep -q "rows 2 to 8"'
 

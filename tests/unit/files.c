@@ -68,6 +68,15 @@ unsigned char *test_get_file(const char *path, size_t *size)
     return bytes;
 }
 
+void test_image(struct image *image, int width, int height)
+{
+    if (!image_create(image, width < FRAME_SIDE_MAX ? width + 1 : width, height)) {
+        perror("test");
+        exit(2);
+    }
+    image->width = width;
+}
+
 bool test_file_exists(const char *path)
 {
     struct stat status;

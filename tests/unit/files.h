@@ -15,6 +15,11 @@ void test_put_file(const char *path, const void *bytes, size_t size);
 /* The bytes of a file that is there, for the caller to free. Ends the program otherwise. */
 unsigned char *test_get_file(const char *path, size_t *size);
 
+/* An image whose rows lie a pixel apart, where it is not the widest. Ends the program without
+ * memory. */
+struct image;
+void test_image(struct image *image, int width, int height);
+
 /* Is there anything of that name? */
 bool test_file_exists(const char *path);
 

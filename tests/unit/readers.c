@@ -11,7 +11,6 @@
 #include "tests/files/tri.h"
 #include "tests/unit/check.h"
 #include "tests/unit/files.h"
-#include "tests/unit/padded.h"
 #include "tests/unit/test.h"
 
 enum { STREAM_PPM = 200, STREAM_TRI };
@@ -223,24 +222,23 @@ static void test_ppm_round_trip(void)
 
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         const int width = sizes[i][0], height = sizes[i][1];
-        struct padded padded;
-        struct image back = {0};
+        struct image image, back = {0};
         struct error error = {""};
-        padded_create(&padded, width, height);
+        test_image(&image, width, height);
         for (int k = 0; k < width * height; k++) {
-            padded.image.pixels[k / width * padded.image.stride + k % width] = random_bits(&random);
+            image.pixels[k / width * image.stride + k % width] = random_bits(&random);
         }
-        bool same = image_write(path, &padded.image, &error) &&
+        bool same = image_write(path, &image, &error) &&
                     ppm_read_texture(path, &back, &error) && back.width == width &&
                     back.height == height;
         for (int k = 0; same && k < width * height; k++) {
-            const uint32_t given = padded.image.pixels[k / width * padded.image.stride + k % width];
+            const uint32_t given = image.pixels[k / width * image.stride + k % width];
             same = back.pixels[k] == (given | 0xFF000000);
         }
         check(same, "a .ppm file gives the same pixels back", "%d x %d: %s", width, height,
               error.text);
         image_destroy(&back);
-        free(padded.all);
+        image_destroy(&image);
     }
     remove(path);
 }
