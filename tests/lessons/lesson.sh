@@ -1,7 +1,7 @@
 #!/bin/sh
-# tests/lessons/lesson.sh BUILD N: what stage N (2 to 5) changes in the one before it. Prints accuracy
-# and speed of both side by side, writes the difference picture to BUILD/out/lesson_N.png, and prints
-# the source's difference. `make lesson N=2` calls it. Exit status 2 for bad usage, or
+# tests/lessons/lesson.sh BUILD N: what stage N (2 to 5) changes in the one before it. Prints
+# accuracy and speed of both side by side, writes the difference picture to BUILD/out/lesson_N.png,
+# and prints the source's difference. `make lesson N=2` calls it. Exit status 2 for bad usage, or
 # when texmap fails.
 
 build=$1

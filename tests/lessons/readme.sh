@@ -298,6 +298,7 @@ if [ "${1-}" = --check ]; then
     check=yes
     shift
 fi
+"${TEXMAP_BUILD:?is where texmap is}/texmap" help > /dev/null || exit 2
 [ $# -gt 0 ] || set -- README.md stage*/README.md tests/cases/README.md
 failed=0
 new=$TEXMAP_BUILD/readme.$$
