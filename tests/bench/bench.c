@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "tests/bench/gate.h"
 #include "tests/exact/exact.h"
+#include "tests/judge/judge.h"
 #include "tests/program/progress.h"
 
 double bench_clock(void)
@@ -114,6 +114,24 @@ bool bench_open(struct bench *bench, const struct bench_choice *choice, struct e
     return false;
 }
 
+/* Judges every triangle of the row's source, and counts the pixels that its stage writes. */
+static void judge_row(struct judge *judge, struct bench_row *row)
+{
+    const struct source *source = row->source;
+    char text[JUDGE_TEXT] = "no memory to judge it";
+    bool holds = judge_open(judge, source->size.width, source->size.height);
+
+    for (size_t i = 0; holds && i < source->triangles.count; i++) {
+        const struct triangle *triangle = &source->triangles.items[i];
+        const struct image *own = source->chosen.pixels ? &source->chosen
+                                                        : &source->textures[triangle->texture];
+        const struct image texture = judge_texture(judge, own->width, own->height);
+        holds = judge_triangle(judge, row->stage, triangle->v, &texture, 0, text);
+    }
+    row->pixels = (size_t)judge->drawn;
+    row->wrong = !(holds && judge_clean(judge, text)) && !error_set(&row->why, "%s", text);
+}
+
 /* The rows of one scene. */
 static bool judge_scene(struct meter *meter, struct judge *judge, struct bench_row *rows,
                         int count)
@@ -128,10 +146,9 @@ static bool judge_scene(struct meter *meter, struct judge *judge, struct bench_r
         return false;
     }
     for (int i = 0; i < count; i++) {
-        struct bench_row *row = &rows[i];
-        row->accuracy = accuracy[i];
-        row->judged = true;
-        row->wrong = !gate_holds(judge, row->source, row->stage, &row->pixels, &row->why);
+        rows[i].accuracy = accuracy[i];
+        rows[i].judged = true;
+        judge_row(judge, &rows[i]);
     }
     return true;
 }

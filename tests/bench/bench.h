@@ -49,9 +49,9 @@ struct bench {
 /* Builds the scenes. On failure, no memory or no such scene, there is nothing to close. */
 bool bench_open(struct bench *bench, const struct bench_choice *choice, struct error *error);
 
-/* Measures accuracy and holds each row's frame to its gate (tests/bench/gate.h), scene after scene:
- * those that would not be done when bench_clock() reaches the deadline, by the time that the ones
- * before them took, are not judged. False when there is no memory. */
+/* Measures accuracy and holds each row's frame to its promises (tests/judge/judge.h), scene after
+ * scene: those that would not be done when bench_clock() reaches the deadline, by the time that the
+ * ones before them took, are not judged. False when there is no memory. */
 bool bench_judge(struct bench *bench, double deadline, struct error *error);
 
 /* Runs rounds until the deadline, at least one and at most BENCH_ROUNDS_MAX, after one that only

@@ -1,12 +1,11 @@
 #include "tests/chart/chart.h"
 
-#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "tests/files/file.h"
 
 #define STAGE4_SEGMENT 16       /* what stage 4 itself uses: its row is a point of the curve too */
 #define SEGMENT_LENGTH_MAX 4096 /* a frame's longest span */
@@ -19,7 +18,6 @@ static const struct {
 } numbers[] = {
     {"width", CSV_POSITIVE, offsetof(struct chart_row, width)},
     {"height", CSV_POSITIVE, offsetof(struct chart_row, height)},
-    {"triangles", CSV_NOT_NEGATIVE, offsetof(struct chart_row, triangles)},
     {"wrong_texel_pct", CSV_NOT_NEGATIVE, offsetof(struct chart_row, wrong_texel_pct)},
     {"position_rms", CSV_NOT_NEGATIVE, offsetof(struct chart_row, position_rms)},
     {"coverage_missing", CSV_NOT_NEGATIVE, offsetof(struct chart_row, missing)},
@@ -46,28 +44,24 @@ static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row,
 /* stage4_subdivide, coda, segment_8, segment_span: the stage column's words. */
 static bool parse_stage(const char *stage, struct chart_row *row)
 {
+    char digit[2] = "";
+    int length = 0, end = 0;
+
     row->stage = stage;
-    if (strncmp(stage, "stage", 5) == 0 && stage[5] >= '1' && stage[5] <= '9' && stage[6] == '_') {
-        row->mark = stage[5];
+    if (sscanf(stage, "stage%1[1-9]_", digit) == 1 && stage[6] == '_') {
+        row->mark = digit[0];
         row->segment = row->mark == '4' ? STAGE4_SEGMENT : 0;
-        return true;
-    }
-    if (strcmp(stage, "coda") == 0) {
+    } else if (strcmp(stage, "coda") == 0) {
         row->mark = 'C';
-        return true;
-    }
-    if (strncmp(stage, "segment_", 8) != 0) {
+    } else if (strcmp(stage, "segment_span") == 0) {
+        row->segment = INT_MAX;
+    } else if (sscanf(stage, "segment_%4d%n", &length, &end) == 1 && !stage[end]) {
+        row->segment = length;
+        return length >= 1 && length <= SEGMENT_LENGTH_MAX;
+    } else {
         return false;
     }
-    stage += 8;
-    char *end;
-    long length = isdigit((unsigned char)stage[0]) ? strtol(stage, &end, 10) : 0;
-    if (strcmp(stage, "span") == 0) {
-        row->segment = INT_MAX;
-    } else if (length >= 1 && length <= SEGMENT_LENGTH_MAX && *end == '\0') {
-        row->segment = (int)length;
-    }
-    return row->segment != 0;
+    return true;
 }
 
 /* Finds the row's scene, or adds it. */
@@ -139,18 +133,4 @@ bool chart_has_mark(const struct chart_row *row)
 {
     return isfinite(row->ns_per_pixel) && isfinite(row->lookup) && isfinite(row->position_rms) &&
            isfinite(row->step);
-}
-
-bool chart_write(const char *path, const struct chart *chart, struct error *error)
-{
-    const char *dot = strrchr(path, '.');
-    if (!dot || strcmp(dot, ".svg") != 0) {
-        return error_set(error, "%s: a chart's name must end in .svg", path);
-    }
-    FILE *file = file_create(path, error);
-    if (!file) {
-        return false;
-    }
-    chart_draw(file, chart);
-    return file_finish(file, path, error);
 }

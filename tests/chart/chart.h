@@ -14,7 +14,7 @@ struct chart_row {
     size_t scene;      /* index into chart.scenes */
     char mark;         /* '1' to '5', 'C' for the coda, 0 for other lengths of stage 4's segments */
     int segment;       /* pixels between two divides, INT_MAX for the span; 0 off that curve */
-    double width, height, triangles;    /* of the frame; of the scene */
+    double width, height;               /* of the frame */
     double ns_per_pixel, lookup;        /* nanoseconds per pixel */
     double position_rms, step;          /* texels; what is below the step cannot be told from 0 */
     double wrong_texel_pct;             /* per cent of pixels */
@@ -37,9 +37,6 @@ void chart_destroy(struct chart *chart);
 
 /* Draws the chart as SVG. */
 void chart_draw(FILE *out, const struct chart *chart);
-
-/* The same into a file whose name must end in .svg. On failure no file is left behind. */
-bool chart_write(const char *path, const struct chart *chart, struct error *error);
 
 /* Has the row a time and a position error, and so a place in the chart? */
 bool chart_has_mark(const struct chart_row *row);

@@ -36,7 +36,6 @@ static const struct text_style segment_style = {12, "middle", "soft"};
 
 enum kind {
     ALL,      /* by time */
-    SCALAR,   /* all but the coda, by time */
     STAGES,   /* '1' to '5', then 'C' */
     SEGMENTS, /* stage 4 and its other segments, by length */
 };
@@ -53,7 +52,6 @@ static double key(const struct chart_row *row, enum kind kind)
     switch (kind) {
     case STAGES: return row->mark;
     case SEGMENTS: return row->segment;
-    case SCALAR: return row->mark == 'C' ? 0 : row->ns_per_pixel;
     default: return row->ns_per_pixel;
     }
 }
@@ -75,14 +73,10 @@ static struct series select_rows(const struct chart *chart, size_t scene, enum k
     return series;
 }
 
-static const struct chart_row *find_mark(const struct series *series, char mark)
+/* The row of stage 1, of the series STAGES; NULL where there is none. */
+static const struct chart_row *first_stage(const struct series *stages)
 {
-    for (size_t i = 0; i < series->count; i++) {
-        if (series->rows[i]->mark == mark) {
-            return series->rows[i];
-        }
-    }
-    return NULL;
+    return stages->count > 0 && stages->rows[0]->mark == '1' ? stages->rows[0] : NULL;
 }
 
 /* Every texel right, and every pixel covered that should be, and no other. */
@@ -94,7 +88,7 @@ static bool is_exact(const struct chart_row *row)
 /* What the rows of the large panel say. */
 static void find_title(const struct series *stages, char *title, size_t size)
 {
-    const struct chart_row *first = find_mark(stages, '1'), *fastest = first;
+    const struct chart_row *first = first_stage(stages), *fastest = first;
     for (size_t i = 0; i < stages->count; i++) {
         if (fastest && stages->rows[i]->ns_per_pixel < fastest->ns_per_pixel) {
             fastest = stages->rows[i];
@@ -134,7 +128,8 @@ static void set_axes(struct panel *panel, const struct series *all, struct box b
                              .from = box.y1 - band, .to = box.y0, .band = band};
 }
 
-/* From point to point, the slower the more exact: all above and right of the line is beaten. */
+/* From point to point, the coda's aside, the slower the more exact: all above and right of the line
+ * is beaten. */
 static void draw_frontier(struct panel *panel, const struct series *by_time)
 {
     struct point points[2 * CHART_SCENE_ROWS_MAX + 1];
@@ -142,7 +137,7 @@ static void draw_frontier(struct panel *panel, const struct series *by_time)
     double best = panel->y.to; /* pixels: the lower in the picture the better */
     for (size_t i = 0; i < by_time->count; i++) {
         const struct point at = place(panel, by_time->rows[i]);
-        if (at.y > best) {
+        if (by_time->rows[i]->mark != 'C' && at.y > best) {
             points[count++] = (struct point){at.x, best};
             points[count++] = at;
             best = at.y;
@@ -191,7 +186,7 @@ static void draw_marks(struct panel *panel, const struct chart *chart, const str
 /* "1 float" of stage1_float, and how many times as fast as stage 1 it is; in a small panel "1". */
 static void label_stages(struct panel *panel, const struct series *stages, bool large)
 {
-    const struct chart_row *first = find_mark(stages, '1');
+    const struct chart_row *first = first_stage(stages);
     for (size_t i = stages->count; i-- > 0;) {
         const struct chart_row *row = stages->rows[i];
         const bool coda = row->mark == 'C';
@@ -232,7 +227,6 @@ static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struc
                        bool large)
 {
     const struct series all = select_rows(chart, scene, ALL);
-    const struct series scalar = select_rows(chart, scene, SCALAR);
     const struct series stages = select_rows(chart, scene, STAGES);
     const struct series segments = select_rows(chart, scene, SEGMENTS);
     struct panel panel = {.out = out};
@@ -244,7 +238,7 @@ static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struc
     snprintf(band_label, sizeof band_label, "< 1/%.0f", 1 / panel.y.low);
     panel.band_label = band_label;
     panel_begin(&panel);
-    draw_frontier(&panel, &scalar);
+    draw_frontier(&panel, &all);
     draw_lookup(&panel, all.rows[0]->lookup, large);
     draw_curve(&panel, &segments);
     for (size_t i = 1; i < stages.count; i++) {
@@ -313,27 +307,13 @@ static void draw_head(FILE *out, const struct chart *chart, const struct series 
              "stages 1 and 2 lose by truncating, which nobody sees.");
 }
 
-/* Every scene but one, side by side. */
-static void draw_small(FILE *out, const struct chart *chart, size_t large)
-{
-    const double width = (RIGHT - LEFT + SMALL_GAP) / (CHART_SCENES_MAX - 1);
-    double x = LEFT;
-    for (size_t scene = 0; scene < chart->scene_count; scene++) {
-        if (scene == large) {
-            continue;
-        }
-        svg_text(out, (struct point){x, SMALL_TOP - 8}, &head_style, chart->scenes[scene]);
-        draw_panel(out, chart, scene,
-                   (struct box){x, SMALL_TOP, x + width - SMALL_GAP, SMALL_BOTTOM}, false);
-        x += width;
-    }
-}
-
 void chart_draw(FILE *out, const struct chart *chart)
 {
     char title[96], notes[NOTES_MAX][NOTE_LENGTH];
     const size_t note_count = find_notes(chart, notes);
     const double notes_top = chart->scene_count > 1 ? NOTES_TOP : SMALL_TOP;
+    const double small_width = (RIGHT - LEFT + SMALL_GAP) / (CHART_SCENES_MAX - 1);
+    struct box small = {LEFT, SMALL_TOP, LEFT + small_width - SMALL_GAP, SMALL_BOTTOM};
     size_t large = 0;
     for (size_t i = 0; i < chart->scene_count; i++) {
         large = strcmp(chart->scenes[i], LARGE_SCENE) == 0 ? i : large;
@@ -348,7 +328,14 @@ void chart_draw(FILE *out, const struct chart *chart)
         draw_head(out, chart, &stages);
     }
     draw_panel(out, chart, large, (struct box){LEFT, LARGE_TOP, RIGHT, LARGE_BOTTOM}, true);
-    draw_small(out, chart, large);
+    for (size_t i = 0; i < chart->scene_count; i++) {
+        if (i != large) {
+            svg_text(out, (struct point){small.x0, SMALL_TOP - 8}, &head_style, chart->scenes[i]);
+            draw_panel(out, chart, i, small, false);
+            small.x0 += small_width;
+            small.x1 += small_width;
+        }
+    }
     for (size_t i = 0; i < note_count; i++) {
         svg_text(out, (struct point){LEFT, notes_top + NOTE_HEIGHT * (double)i}, &soft_style,
                  notes[i]);

@@ -4,6 +4,34 @@
 #include <stdlib.h>
 #include "tests/exact/jitter.h"
 
+void csv_print_number(FILE *file, int decimals, double number)
+{
+    fputc(',', file);
+    if (isfinite(number)) {
+        fprintf(file, "%.*f", decimals, number);
+    }
+}
+
+void accuracy_print_csv(FILE *file, const struct stage *stage, const struct source *source,
+                        const struct accuracy *a)
+{
+    fprintf(file, "%s,%s,%d,%d,%zu", stage->name, source->name, source->size.width,
+            source->size.height, source->triangles.count);
+    if (!a) {
+        fputs(",,,,,,,,,,", file);
+        return;
+    }
+    fprintf(file, ",%zu", a->pixels);
+    if (a->pixels == 0) { /* nothing to be right or wrong */
+        fputs(",,,,,,", file);
+    } else {
+        fprintf(file, ",%.6f,%.6f,%.6f,%d,%.8f,%.8f", a->wrong_texel_pct, a->bias_u, a->bias_v,
+                a->max_texel, a->position_rms, a->position_max);
+    }
+    fprintf(file, ",%zu,%zu", a->coverage_missing, a->coverage_extra);
+    csv_print_number(file, 8, a->pixels > 0 ? a->jitter_rms : NAN);
+}
+
 static void measure_coverage(const struct meter *meter, struct accuracy *accuracy)
 {
     for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
@@ -116,36 +144,25 @@ bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
     return accuracy_frames(meter, list, &stage, 1, grid, accuracy);
 }
 
-static bool measure_all(struct meter *meter, struct source *source,
-                        const struct stage *const chosen[], int count, double jitter[],
-                        struct accuracy accuracy[], void (*progress)(int done, int frames),
-                        struct error *error)
-{
-    if (!jitter_measure(meter, source, chosen, count, jitter, NULL, progress, error)) {
-        return false;
-    }
-    if (!accuracy_frames(meter, &source->triangles, chosen, count, 0, accuracy)) {
-        return error_set(error, "accuracy: no memory");
-    }
-    for (int i = 0; i < count; i++) {
-        accuracy[i].jitter_rms = jitter[i];
-        accuracy[i].jitter_floor = jitter[count];
-    }
-    return true;
-}
-
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
                       struct accuracy accuracy[], void (*progress)(int done, int frames),
                       struct error *error)
 {
     struct meter meter = {0};
     double *jitter = calloc((size_t)count + 1, sizeof *jitter);
-    const bool measured =
-        jitter && meter_create(&meter, source->size.width, source->size.height)
-            ? measure_all(&meter, source, chosen, count, jitter, accuracy, progress, error)
-            : error_set(error, "accuracy: no memory");
+    const bool memory = jitter && meter_create(&meter, source->size.width, source->size.height);
+    bool done = memory &&
+                jitter_measure(&meter, source, chosen, count, jitter, NULL, progress, error);
 
+    if (!memory || (done && !accuracy_frames(&meter, &source->triangles, chosen, count, 0,
+                                             accuracy))) {
+        done = error_set(error, "accuracy: no memory");
+    }
+    for (int i = 0; done && i < count; i++) {
+        accuracy[i].jitter_rms = jitter[i];
+        accuracy[i].jitter_floor = jitter[count];
+    }
     meter_destroy(&meter);
     free(jitter);
-    return measured;
+    return done;
 }

@@ -22,6 +22,7 @@
 #ifndef TESTS_ACCURACY_H
 #define TESTS_ACCURACY_H
 
+#include <stdio.h>
 #include "tests/exact/meter.h"
 #include "tests/program/source.h"
 
@@ -54,5 +55,16 @@ bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
                       struct accuracy accuracy[], void (*progress)(int done, int frames),
                       struct error *error);
+
+/* The columns with which a line of CSV begins, and their values. Those that are not measured are
+ * empty; with NULL all are. */
+#define ACCURACY_COLUMNS                                                                          \
+    "stage,scene,width,height,triangles,pixels,wrong_texel_pct,bias_u,bias_v,max_texel,"          \
+    "position_rms,position_max,coverage_missing,coverage_extra,jitter_rms"
+void accuracy_print_csv(FILE *file, const struct stage *stage, const struct source *source,
+                        const struct accuracy *accuracy);
+
+/* A column more; empty where it is not finite. */
+void csv_print_number(FILE *file, int decimals, double number);
 
 #endif

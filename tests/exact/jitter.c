@@ -29,29 +29,22 @@ static void jitter_add(struct jitter *jitter, int change, size_t pixel, struct d
     }
 }
 
-static void jitter_stage(struct jitter *jitter, int change, struct meter *meter,
+/* Without a stage: a perfect mapper, which reads the step nearest to the exact coordinate. */
+static void jitter_frame(struct jitter *jitter, int change, struct meter *meter,
                          const struct triangle_list *list, const struct stage *stage, int scale)
 {
-    meter_draw_surfaces(meter, list, stage->draw);
-    meter_draw(meter, list, stage->draw, &meter->ruler, scale);
+    if (stage) {
+        meter_draw_surfaces(meter, list, stage->draw);
+        meter_draw(meter, list, stage->draw, &meter->ruler, scale);
+    }
     for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
+        const struct place *exact = &meter->exact[pixel];
         struct drift now = {NAN, NAN};
         struct reading u, v;
-        if (meter_read(meter, pixel, stage->truncates, &u, &v)) {
+        if (stage && meter_read(meter, pixel, stage->truncates, &u, &v)) {
             now = (struct drift){(float)(u.error / scale), (float)(v.error / scale)};
-        }
-        jitter_add(jitter, change, pixel, now);
-    }
-}
-
-/* A perfect mapper reads the step nearest to the exact coordinate. */
-static void jitter_perfect(struct jitter *jitter, int change, const struct meter *meter, int scale)
-{
-    for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
-        struct drift now = {NAN, NAN};
-        if (meter->exact_surfaces.pixels[pixel] != 0) {
-            now.u = meter->exact[pixel].u.rest / (float)scale;
-            now.v = meter->exact[pixel].v.rest / (float)scale;
+        } else if (!stage && meter->exact_surfaces.pixels[pixel] != 0) {
+            now = (struct drift){exact->u.rest / (float)scale, exact->v.rest / (float)scale};
         }
         jitter_add(jitter, change, pixel, now);
     }
@@ -72,10 +65,10 @@ static bool measure_frames(struct meter *meter, struct source *source,
         }
         const int scale = ruler_scale(&source->triangles);
         meter_exact(meter, &source->triangles, 0, scale);
-        for (int i = 0; i < count; i++) {
-            jitter_stage(&jitter[i], frame + 1, meter, &source->triangles, chosen[i], scale);
+        for (int i = 0; i <= count; i++) {
+            jitter_frame(&jitter[i], frame + 1, meter, &source->triangles,
+                         i < count ? chosen[i] : NULL, scale);
         }
-        jitter_perfect(&jitter[count], frame + 1, meter, scale);
         if (progress) {
             progress(JITTER_FRAMES - frame, JITTER_FRAMES);
         }

@@ -82,12 +82,12 @@ static bool print_all(FILE *out, FILE *cases, char paths[][128], int count, stru
         if (!stability_open(&row, paths[i], &chosen, error)) {
             return false;
         }
-        done = stability_measure(&row, &chosen, values, error);
+        done = measure_source(row.measure, &row.source, &chosen, values, error);
         if (done) {
             print_row(out, &row, values, chosen.count);
             done = print_case(cases, &row, error);
         }
-        stability_close(&row);
+        source_close(&row.source);
     }
     return done;
 }

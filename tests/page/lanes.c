@@ -36,13 +36,11 @@ static void print_string(FILE *out, const char *text)
 /* Line, register, meaning, lanes; and of a store its lane and pixel. */
 static void print_step(FILE *out, const struct trace *trace, const struct step *step)
 {
-    const char *reg, *meaning;
-    char lanes[STEPS_LANES][32];
-    const int count = trace_step_texts(trace, step, &reg, &meaning, lanes);
+    const struct step_text text = trace_step_text(trace, step);
 
-    fprintf(out, "[%d,\"%s\",\"%s\",[", step->line, reg, meaning);
-    for (int i = 0; i < count; i++) {
-        fprintf(out, "%s\"%s\"", i ? "," : "", lanes[i]);
+    fprintf(out, "[%d,\"%s\",\"%s\",[", step->line, text.reg, text.meaning);
+    for (int i = 0; i < text.count; i++) {
+        fprintf(out, "%s\"%s\"", i ? "," : "", text.lanes[i]);
     }
     fputs("]", out);
     if (step->lane >= 0) {
@@ -98,14 +96,13 @@ static bool record(FILE *out, const struct recording *recording, struct error *e
 /* The macro that a line is in stands behind it. */
 static void print_source(FILE *out)
 {
-    const char *macro, *text;
-    int length;
+    const struct step_line *line;
 
     fputs("\"source\":[", out);
-    for (int i = 1; (text = steps_source(i, &macro, &length)) != NULL; i++) {
+    for (int i = 1; (line = steps_line(i)); i++) {
         fputs(i > 1 ? ",\n[" : "[", out);
-        print_string(out, text);
-        fprintf(out, ",\"%.*s\"]", length, macro);
+        print_string(out, line->text);
+        fprintf(out, ",\"%s\"]", line->macro);
     }
     fputs("]", out);
 }

@@ -59,21 +59,15 @@ static bool write_csv(const char *path, const struct source *source,
     if (!file) {
         return false;
     }
-    fprintf(file, "stage,scene,width,height,triangles,pixels,wrong_texel_pct,bias_u,bias_v,"
-                  "max_texel,position_rms,position_max,coverage_missing,coverage_extra,"
-                  "jitter_rms,jitter_floor,ruler_step,border_pct\n");
+    fprintf(file, ACCURACY_COLUMNS ",jitter_floor,ruler_step,border_pct\n");
     for (int i = 0; i < count; i++) {
         const struct accuracy *a = &accuracy[i];
-        fprintf(file, "%s,%s,%d,%d,%zu,%zu,", chosen[i]->name, source->name, source->size.width,
-                source->size.height, a->triangles, a->pixels);
-        if (a->pixels == 0) { /* nothing to be right or wrong: empty fields */
-            fprintf(file, ",,,,,,%zu,%zu,,,,\n", a->coverage_missing, a->coverage_extra);
-            continue;
-        }
-        fprintf(file, "%.6f,%.6f,%.6f,%d,%.8f,%.8f,", a->wrong_texel_pct, a->bias_u, a->bias_v,
-                a->max_texel, a->position_rms, a->position_max);
-        fprintf(file, "%zu,%zu,%.8f,%.8f,%.8f,%.6f\n", a->coverage_missing, a->coverage_extra,
-                a->jitter_rms, a->jitter_floor, a->ruler_step, a->border_pct);
+        const bool any = a->pixels > 0;
+        accuracy_print_csv(file, chosen[i], source, a);
+        csv_print_number(file, 8, any ? a->jitter_floor : NAN);
+        csv_print_number(file, 8, any ? a->ruler_step : NAN);
+        csv_print_number(file, 6, any ? a->border_pct : NAN);
+        fputc('\n', file);
     }
     return file_finish(file, path, error);
 }

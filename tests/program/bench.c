@@ -149,7 +149,9 @@ static enum outcome run(const struct options *options, struct error *error)
 }
 
 const struct command command_bench = {
-    "bench", "[--stage S|all] [--scene NAME|all] [--size WxH] [--csv FILE] [--seconds N]",
+    "bench",
+    "[--stage S|all] [--scene NAME|all] [--size WxH]\n"
+    "                  [--csv FILE] [--seconds N]",
     "Measures how long stages take to draw a frame, beside their accuracy and beside\n"
     "the lookup: copying texels from places worked out beforehand. Stages take turns\n"
     "in each round; of all rounds the minimum and the median count. A stage whose\n"

@@ -1,6 +1,22 @@
 /* texmap chart: draws speed against accuracy from what `texmap bench` wrote. */
+#include <string.h>
 #include "tests/chart/chart.h"
+#include "tests/files/file.h"
 #include "tests/program/commands.h"
+
+static bool write(const char *path, const struct chart *chart, struct error *error)
+{
+    const char *dot = strrchr(path, '.');
+    FILE *file = NULL;
+
+    if (!dot || strcmp(dot, ".svg") != 0) {
+        return error_set(error, "%s: a chart's name must end in .svg", path);
+    }
+    if ((file = file_create(path, error))) {
+        chart_draw(file, chart);
+    }
+    return file && file_finish(file, path, error);
+}
 
 static enum outcome run(const struct options *options, struct error *error)
 {
@@ -12,7 +28,7 @@ static enum outcome run(const struct options *options, struct error *error)
     }
     bool written = false;
     if (chart_load(&csv, &chart, error)) {
-        written = chart_write(options->output, &chart, error);
+        written = write(options->output, &chart, error);
         chart_destroy(&chart);
     }
     csv_destroy(&csv);

@@ -187,7 +187,7 @@ const struct command command_diff = {
     "texel, which may have the same colour (texel). Then the largest distance of two\n"
     "texels, by the texture coord (max); and of those that differ, the pixels whose\n"
     "exact coordinate lies on a border of texels, where both are right (ties).\n"
-    "FILE shows where: pixels that agree are dimmed; blue to red, 1 to 32 texels apart\n"
-    "or more; magenta, only A drew it; white, only B.",
+    "FILE shows where: pixels that agree are dimmed; blue to red, 1 to 32 texels or\n"
+    "more apart; magenta, only A drew it; white, only B.",
     OPTION_STAGES | OPTIONS_SOURCE | OPTION_TEXTURE | OPTION_OUTPUT | OPTION_MAX_PIXELS,
     OPTION_STAGES, run};

@@ -152,7 +152,7 @@ static bool measure_jitter(struct curve *curve, struct error *error)
                       jitter_measure(&meter, &row.source, chosen.items, chosen.count, rms, frames,
                                      NULL, error);
     meter_destroy(&meter);
-    stability_close(&row);
+    source_close(&row.source);
     for (int i = 0; done && i < chosen.count; i++) {
         memcpy(curve->series[i].y, frames[i], sizeof frames[i]);
     }

@@ -80,16 +80,6 @@ struct tally {
     uint8_t hit, due, outside; /* at most 255 triangles in a pixel */
 };
 
-static bool row_is_clear(const uint32_t *row, int width)
-{
-    uint32_t any = 0;
-
-    for (int x = 0; x < width; x++) {
-        any |= row[x];
-    }
-    return any == 0;
-}
-
 /* Counts what a stage made of one triangle, and clears the frame. */
 static void count_triangle(struct image *frame, const struct vertex v[3], struct tally *tallies)
 {
@@ -101,13 +91,10 @@ static void count_triangle(struct image *frame, const struct vertex v[3], struct
         if (area && y >= exact.first_row && y < exact.end_row) {
             exact_row(&exact, y, frame->width, &first, &end);
         }
-        uint32_t *row = &frame->pixels[(size_t)y * (size_t)frame->stride];
-        if (first >= end && row_is_clear(row, frame->width)) {
-            continue;
-        }
         for (int x = 0; x < frame->width; x++) {
-            uint32_t *pixel = &row[x];
-            struct tally *tally = &tallies[(size_t)y * (size_t)frame->width + (size_t)x];
+            const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
+            uint32_t *pixel = &frame->pixels[at];
+            struct tally *tally = &tallies[at];
             tally->due += x >= first && x < end;
             tally->hit += *pixel != 0;
             tally->outside += *pixel != 0 &&
@@ -208,34 +195,26 @@ static bool measure_neighbours(struct meter *meter, const struct source *source,
     return true;
 }
 
-static bool measure_accuracy(const struct measure *measure, struct meter *meter,
-                             const struct source *source, const struct stage *stage, double *value)
-{
-    struct accuracy accuracy;
-    const bool memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
-
-    *value = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset) : NAN;
-    return memory;
-}
-
 /* All but BY_HITS, with the meter. */
 static bool measure_with(struct meter *meter, const struct measure *measure, struct source *source,
                          const struct stability_stages *chosen, double *values, struct error *error)
 {
     double jitter[STABILITY_STAGES + 1];
-    bool memory = true;
+    struct accuracy accuracy;
+    bool memory = measure->kind != BY_JITTER ||
+                  jitter_measure(meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
+                                 error);
 
-    if (measure->kind == BY_JITTER) {
-        memory = jitter_measure(meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
-                                error);
-    }
     for (int i = 0; memory && i < chosen->count; i++) {
+        const struct stage *stage = chosen->items[i];
         if (measure->kind == BY_JITTER) {
             values[i] = jitter[i];
         } else if (measure->kind == BY_NEIGHBOURS) {
-            memory = measure_neighbours(meter, source, chosen->items[i], &values[i]);
+            memory = measure_neighbours(meter, source, stage, &values[i]);
         } else {
-            memory = measure_accuracy(measure, meter, source, chosen->items[i], &values[i]);
+            memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
+            values[i] = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset)
+                                                      : NAN;
         }
     }
     return memory;

@@ -187,18 +187,7 @@ bool stability_open(struct stability_case *row, const char *path,
              (size->width > 0 || error_set(error, "%s: does not say its size", path)) &&
              source_clip(&row->source, 0, 0, error);
     if (!opened) {
-        stability_close(row);
+        source_close(&row->source);
     }
     return opened;
-}
-
-void stability_close(struct stability_case *row)
-{
-    source_close(&row->source);
-}
-
-bool stability_measure(struct stability_case *row, const struct stability_stages *chosen,
-                       double values[STABILITY_STAGES], struct error *error)
-{
-    return measure_source(row->measure, &row->source, chosen, values, error);
 }

@@ -40,14 +40,10 @@ struct stability_case {
 int stability_list(char paths[STABILITY_CASES_MAX][128], struct error *error);
 
 /* Reads a case. Each stage of the table must have its expectation; names of stages that there are
- * not on this machine are passed over. On failure nothing is left to close. */
+ * not on this machine are passed over. source_close(&row->source) ends
+ * it; on failure nothing is left to close. */
 bool stability_open(struct stability_case *row, const char *path,
                     const struct stability_stages *chosen, struct error *error);
-void stability_close(struct stability_case *row);
-
-/* Measures it in each stage. */
-bool stability_measure(struct stability_case *row, const struct stability_stages *chosen,
-                       double values[STABILITY_STAGES], struct error *error);
 
 /* Reads one expectation of a measure; false where it is none. */
 bool expectation_parse(const char *text, const struct measure *measure,

@@ -29,20 +29,26 @@ static void print_header(const struct table *table)
     printf("\n");
 }
 
-static void print_row(const struct row *row, const struct table *table)
+/* Returns whether every number is as expected. */
+static bool print_row(const struct row *row, const struct table *table)
 {
+    bool expected = true;
+
     printf("%-22s", row->given.name);
     for (int i = 0; i < table->chosen.count; i++) {
         const char *verdict = stability_verdict(row->given.expected[i], row->values[i]);
+        const bool as_expected = strcmp(verdict, "unexpected") != 0;
         char number[32];
         snprintf(number, sizeof number, isnan(row->values[i]) ? "-" : "%.3g", row->values[i]);
-        printf("%c%8s", strcmp(verdict, "unexpected") ? ' ' : '!', number);
+        printf("%c%8s", as_expected ? ' ' : '!', number);
+        expected = expected && as_expected;
     }
     printf(" %s\n", row->given.measure->unit);
     fflush(stdout); /* a row may take a second */
+    return expected;
 }
 
-/* Returns whether every number is as expected. */
+/* *expected stays true where every number is as expected. */
 static bool print_table(struct table *table, struct error *error, bool *expected)
 {
     static char paths[STABILITY_CASES_MAX][128];
@@ -54,17 +60,13 @@ static bool print_table(struct table *table, struct error *error, bool *expected
         if (!stability_open(&row->given, paths[i], &table->chosen, error)) {
             return false;
         }
-        const bool measured =
-            stability_measure(&row->given, &table->chosen, row->values, error);
-        stability_close(&row->given);
+        const bool measured = measure_source(row->given.measure, &row->given.source,
+                                             &table->chosen, row->values, error);
+        source_close(&row->given.source);
         if (!measured) {
             return false;
         }
-        print_row(row, table);
-        for (int k = 0; k < table->chosen.count; k++) {
-            const char *verdict = stability_verdict(row->given.expected[k], row->values[k]);
-            *expected = *expected && strcmp(verdict, "unexpected") != 0;
-        }
+        *expected = print_row(row, table) && *expected;
     }
     return count >= 0;
 }

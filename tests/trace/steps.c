@@ -3,6 +3,7 @@
 #include "tests/trace/steps.h"
 
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,9 +19,9 @@ void steps_record(struct steps *steps, const uint32_t *first, const uint32_t *en
     (void)steps, (void)first, (void)end;
 }
 
-const char *steps_source(int line, const char **macro, int *macro_length)
+const struct step_line *steps_line(int line)
 {
-    (void)line, (void)macro, (void)macro_length;
+    (void)line;
     return NULL;
 }
 
@@ -87,43 +88,31 @@ static void on_trap(int number, siginfo_t *info, void *context)
     last_at = (ptrdiff_t)((uintptr_t)machine->gregs[REG_RIP] - (uintptr_t)stage5_draw_segments);
 }
 
-/* What a line of span.S is, found once. */
-static struct source_line {
-    const char *text, *macro;
-    int macro_length;
-    int lane, reg; /* a store of that lane's pixel, from that register: `mov [r12 + ...], ecx` */
-} lines[LINES_MAX];
+static struct step_line lines[LINES_MAX];
 static ptrdiff_t set_up_at, draw_at; /* the labels to which jumps lead: a group begins there */
 
-/* The lanes' pixels go where r12 to r15 say, and come from ecx, eax, r10d, r9d. */
-static int stored_lane(const char *text, int *reg)
+/* Of a store: the lanes' pixels go where r12 to r15 say, and come from ecx, eax, r10d, r9d. */
+static void find_store(struct step_line *line)
 {
     static const int registers[STEPS_LANES] = {1, 0, 10, 9};
-    const char *at = strstr(text, "mov     [r1");
+    const char *at = strstr(line->text, "mov     [r1");
 
-    if (!at || at[11] < '2' || at[11] > '5') {
-        return -1;
-    }
-    *reg = registers[at[11] - '2'];
-    return at[11] - '2';
+    line->lane = at && at[11] >= '2' && at[11] <= '5' ? at[11] - '2' : -1;
+    line->reg = line->lane < 0 ? -1 : registers[line->lane];
 }
 
 static void read_source(void)
 {
-    const char *text = stage5_draw_segments_text, *macro = "";
-    int macro_length = 0;
+    const char *text = stage5_draw_segments_text;
+    char macro[STEPS_MACRO_MAX] = "";
 
     for (int i = 1; *text && i < LINES_MAX; i++, text += strlen(text) + 1) {
-        const char *word = text + strspn(text, " ");
-        if (strncmp(word, ".macro ", 7) == 0) {
-            macro = word + 7 + strspn(word + 7, " ");
-            macro_length = (int)strcspn(macro, " ");
-        } else if (strncmp(word, ".endm", 5) == 0) {
-            macro = "";
-            macro_length = 0;
+        if (sscanf(text, " .macro %23s", macro) != 1 && strstr(text, ".endm")) {
+            macro[0] = '\0';
         }
-        lines[i] = (struct source_line){.text = text, .macro = macro, .macro_length = macro_length};
-        lines[i].lane = stored_lane(text, &lines[i].reg);
+        lines[i].text = text;
+        memcpy(lines[i].macro, macro, sizeof macro);
+        find_store(&lines[i]);
     }
     for (int i = 0; stage5_draw_segments_lines[i][1]; i++) {
         const char *labelled = lines[stage5_draw_segments_lines[i][1]].text;
@@ -135,17 +124,12 @@ static void read_source(void)
     }
 }
 
-const char *steps_source(int line, const char **macro, int *macro_length)
+const struct step_line *steps_line(int line)
 {
     if (!lines[1].text) {
         read_source();
     }
-    if (line < 1 || line >= LINES_MAX) {
-        return NULL;
-    }
-    *macro = lines[line].macro;
-    *macro_length = lines[line].macro_length;
-    return lines[line].text;
+    return line >= 1 && line < LINES_MAX && lines[line].text ? &lines[line] : NULL;
 }
 
 /* The flag 0x100 of the flags register is the trap flag. The stack below rsp is left alone. */
@@ -158,9 +142,7 @@ static void run_in_steps(const struct segment *segments, int count, const struct
 {
     struct sigaction trap = {.sa_flags = SA_SIGINFO}, before;
 
-    if (!lines[1].text) {
-        read_source();
-    }
+    steps_line(1); /* finds the labels */
     trap.sa_sigaction = on_trap;
     sigemptyset(&trap.sa_mask);
     sigaction(SIGTRAP, &trap, &before);
@@ -246,9 +228,9 @@ static bool add_steps(void)
         }
         step.group = group;
         step.drawing = drawing;
-        step.lane = lines[step.line].lane;
+        step.lane = steps_line(step.line)->lane;
         if (step.lane >= 0) {
-            step.reg = lines[step.line].reg;
+            step.reg = steps_line(step.line)->reg;
             step.pixel = pixels[step.lane]++;
         }
         if (step.reg >= 16) {

@@ -51,9 +51,17 @@ const char *steps_missing(void);
 void steps_record(struct steps *steps, const uint32_t *first, const uint32_t *end);
 void steps_destroy(struct steps *steps);
 
-/* A line of span.S, counted from 1, and the macro that it is in: its name begins there and has
- * that length, 0 if there is none. NULL beyond its end. */
-const char *steps_source(int line, const char **macro, int *macro_length);
+#define STEPS_MACRO_MAX 24
+
+/* A line of span.S. */
+struct step_line {
+    const char *text;
+    char macro[STEPS_MACRO_MAX]; /* that it is in, or "" */
+    int lane, reg; /* a store of that lane's pixel, from that register; else -1 */
+};
+
+/* Counted from 1; NULL beyond its end. */
+const struct step_line *steps_line(int line);
 
 /* The segment that a lane of a group draws. */
 const struct step_segment *steps_segment(const struct steps *steps, const struct step *step,

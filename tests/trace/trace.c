@@ -22,8 +22,7 @@ bool trace_available(const struct stage *stage, const char *option, struct error
         return error_set(error, "%s %s: not traceable: of stage 4, only the one with 16 pixels a "
                                 "segment is", option, stage->name);
     }
-    return error_set(error, "%s %s: not traceable: stages 1 to 5 are",
-                     option, stage->name);
+    return error_set(error, "%s %s: not traceable: only stages 1 to 5 are", option, stage->name);
 }
 
 /* Every texel is its index + 1: a frame drawn with these says which texel a pixel got, or 0. */
@@ -189,6 +188,7 @@ bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int
     const size_t at = (size_t)y * (size_t)trace->frame.stride + (size_t)x;
     struct exact_triangle piece;
 
+    *exact = (struct trace_exact){NAN, NAN, NAN, NAN, NAN, false};
     const int i = piece_at(trace, x, y, &piece);
     if (i < 0) {
         return false;

@@ -31,8 +31,7 @@ struct trace {
 
 /* The exact answer at a pixel of the stage's, for the clipped vertices as they are. */
 struct trace_exact {
-    double z, u, v;
-    int texel_u, texel_v;
+    double z, u, v, texel_u, texel_v; /* NAN where it does not draw the pixel */
     bool right; /* is the stage's texel? On a border between two texels either is */
 };
 
@@ -69,10 +68,15 @@ void trace_write_csv(FILE *file, const struct trace *trace);
 void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns);
 void trace_write_steps_table(FILE *file, const struct trace *trace);
 
-/* The register that a step changed, what it holds, and as text the value of each lane: as many as
- * it returns, or one where the register has no lanes. */
-int trace_step_texts(const struct trace *trace, const struct step *step, const char **reg,
-                     const char **meaning, char lanes[STEPS_LANES][32]);
+/* The register that a step changed, what it holds, and the value of each lane, or one value where
+ * the register has no lanes. The others are "". */
+struct step_text {
+    const char *reg, *meaning;
+    int count;
+    char lanes[STEPS_LANES][32];
+};
+
+struct step_text trace_step_text(const struct trace *trace, const struct step *step);
 
 /* For people: a `*` behind the pixels whose texel is not right. */
 void trace_write_table(FILE *file, const struct trace *trace);

@@ -3,24 +3,6 @@
 #include <string.h>
 #include "tests/trace/trace.h"
 
-/* What a pixel has beside the stage's values: NAN where the exact answer does not draw it. */
-enum { EXACT_Z, EXACT_U, EXACT_V, EXACT_TEXEL_U, EXACT_TEXEL_V, EXACT_VALUES };
-
-/* False where the pixel's texel is not right. */
-static bool exact_values(const struct trace *trace, const struct trace_event *pixel, int y,
-                         double values[EXACT_VALUES])
-{
-    struct trace_exact exact = {NAN, NAN, NAN, 0, 0, false};
-    const bool drawn = trace_exact(trace, pixel, y, &exact);
-
-    values[EXACT_Z] = exact.z;
-    values[EXACT_U] = exact.u;
-    values[EXACT_V] = exact.v;
-    values[EXACT_TEXEL_U] = drawn ? exact.texel_u : NAN;
-    values[EXACT_TEXEL_V] = drawn ? exact.texel_v : NAN;
-    return exact.right;
-}
-
 /* The events of one scanline. */
 struct row {
     int y;
@@ -132,16 +114,18 @@ static int csv_values(FILE *file, const struct trace *trace, const struct trace_
 static void csv_event(FILE *file, const struct trace *trace, const struct row *row,
                       const char *record, const struct trace_event *event)
 {
-    double exact[EXACT_VALUES] = {NAN, NAN, NAN, NAN, NAN};
+    struct trace_exact exact = {NAN, NAN, NAN, NAN, NAN, false};
 
     fprintf(file, "%s,%d,%d", record, event->line, row->y);
     csv_values(file, trace, event);
     if (event->kind == TRACE_KIND_PIXEL) {
-        exact_values(trace, event, row->y, exact);
+        trace_exact(trace, event, row->y, &exact);
     }
-    for (int i = 0; i < EXACT_VALUES; i++) {
-        write_number(file, exact[i]);
-    }
+    write_number(file, exact.z);
+    write_number(file, exact.u);
+    write_number(file, exact.v);
+    write_number(file, exact.texel_u);
+    write_number(file, exact.texel_v);
     fputs(trace->steps.items ? ",,,,,,,,,\n" : "\n", file);
 }
 
@@ -154,7 +138,7 @@ void trace_write_csv(FILE *file, const struct trace *trace)
     struct row row = {0};
 
     fprintf(file, "# %s\nrecord,line,row", trace->stage->name);
-    const int columns = csv_values(file, trace, NULL) + EXACT_VALUES;
+    const int columns = csv_values(file, trace, NULL) + 5;
     fputs(",exact_z,exact_u,exact_v,exact_texel_u,exact_texel_v", file);
     fputs(trace->steps.items ? STEP_COLUMNS "\n" : "\n", file);
     while (next_row(trace, &row, seen)) {
@@ -167,21 +151,33 @@ void trace_write_csv(FILE *file, const struct trace *trace)
     trace_write_steps_csv(file, trace, columns);
 }
 
-/* What the table calls some of the names; the others stay as they are. */
-static int name_text(char text[32], const char *name, size_t length)
-{
-    static const char *const labels[][2] = {
-        {"one_over_z", "1/z"}, {"u_over_z", "u/z"}, {"v_over_z", "v/z"},
-        {"one_over_z_dx", "d(1/z)/dx"}, {"u_over_z_dx", "d(u/z)/dx"},
-        {"v_over_z_dx", "d(v/z)/dx"}, {"x_step", "step"}, {"u_16_16", "U"}, {"v_16_16", "V"},
-        {"u_step_16_16", "U_step"}, {"v_step_16_16", "V_step"}};
+/* What the table calls some of the names, and how wide they are in a row of pixels; with decimals,
+ * as many digits as fit. */
+static const struct column {
+    const char *name, *label;
+    int width;
+    enum { WHOLE, DECIMALS, SIGNIFICANT } digits;
+} columns[] = {
+    {"one_over_z", "1/z", 9, SIGNIFICANT}, {"u_over_z", "u/z", 9, SIGNIFICANT},
+    {"v_over_z", "v/z", 9, SIGNIFICANT},   {"z", "z", 8, DECIMALS},
+    {"u", "u", 9, DECIMALS},               {"v", "v", 9, DECIMALS},
+    {"texel_u", "texel", 6, WHOLE},        {"texel_v", "", 5, WHOLE},
+    {"u_16_16", "U", 12, WHOLE},           {"v_16_16", "V", 12, WHOLE},
+    {"one_over_z_dx", "d(1/z)/dx", 0, 0},  {"u_over_z_dx", "d(u/z)/dx", 0, 0},
+    {"v_over_z_dx", "d(v/z)/dx", 0, 0},    {"x_step", "step", 0, 0},
+    {"u_step_16_16", "U_step", 0, 0},      {"v_step_16_16", "V_step", 0, 0}};
 
-    for (size_t i = 0; i < sizeof labels / sizeof labels[0]; i++) {
-        if (strncmp(labels[i][0], name, length) == 0 && labels[i][0][length] == '\0') {
-            return snprintf(text, 32, "%s", labels[i][1]);
+#define COLUMNS (sizeof columns / sizeof columns[0])
+
+/* NULL where the table keeps the name. */
+static const struct column *column_of(const char *name, size_t length)
+{
+    for (size_t i = 0; i < COLUMNS; i++) {
+        if (strncmp(columns[i].name, name, length) == 0 && columns[i].name[length] == '\0') {
+            return &columns[i];
         }
     }
-    return snprintf(text, 32, "%.*s", (int)length, name);
+    return NULL;
 }
 
 #define LINE_MAX_LENGTH 80
@@ -200,12 +196,13 @@ static void print_event(FILE *file, const struct trace *trace, const char *recor
     }
     int i = 0;
     for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        char name[32], text[64];
+        const struct column *column = column_of(names, n);
+        char text[64];
         if (i < known) {
             continue;
         }
-        name_text(name, names, n);
-        const int length = snprintf(text, sizeof text, "  %s %.8g", name, event->values[i]);
+        const int length = snprintf(text, sizeof text, "  %.*s %.8g", column ? 32 : (int)n,
+                                    column ? column->label : names, event->values[i]);
         if (at + length > LINE_MAX_LENGTH) {
             at = fprintf(file, "\n         ") - 1;
         }
@@ -215,74 +212,59 @@ static void print_event(FILE *file, const struct trace *trace, const char *recor
     fputs("\n", file);
 }
 
-/* How wide a pixel's column is, by its name. */
-static int width_of(const char *name, size_t length)
+static void print_cell(FILE *file, const struct column *column, double value)
 {
-    return strncmp(name, "texel_u", 7) == 0                               ? 6
-           : strncmp(name, "texel_v", 7) == 0                             ? 5
-           : length > 2 && strncmp(name + length - 2, "16", 2) == 0       ? 12
-           : length == 1 && name[0] == 'z'                                ? 8
-                                                                          : 9;
-}
-
-/* A texel and 16.16 are whole numbers; u, v and z have as many digits as fit. */
-static void print_cell(FILE *file, const char *name, size_t length, double value)
-{
-    const int width = width_of(name, length);
+    const double size = fabs(value);
+    const int decimals = size < 100 ? 4 : size < 10000 ? 2 : 1;
 
     if (isnan(value)) {
-        fprintf(file, "%*s", width, "-");
-    } else if (length > 6 && width == 9) {
-        fprintf(file, "%9.5g", value);
-    } else if (width >= 8 && width <= 9) {
-        const double size = fabs(value);
-        fprintf(file, "%*.*f", width, size < 100 ? 4 : size < 10000 ? 2 : 1, value);
+        fprintf(file, "%*s", column->width, "-");
+    } else if (column->digits == SIGNIFICANT) {
+        fprintf(file, "%*.5g", column->width, value);
     } else {
-        fprintf(file, "%*.0f", width, value);
+        fprintf(file, "%*.*f", column->width, column->digits == WHOLE ? 0 : decimals, value);
     }
 }
 
 /* What the exact answer has beside a pixel: u and v where the stage steps them, else the texel. */
-static void exact_columns(const struct trace *trace, int *first, int *end)
+static bool shows_exact_texel(const struct trace *trace)
 {
-    *first = trace->stage->segment_length == 1 ? EXACT_VALUES - 2 : EXACT_U;
-    *end = *first + 2;
+    return trace->stage->segment_length == 1;
 }
 
 static void print_heads(FILE *file, const struct trace *trace, const struct trace_event *pixel)
 {
     const char *names = names_of(trace, pixel);
-    int first, end;
 
     fprintf(file, "%4s", "x");
     for (size_t n; (n = next_name(&names)) > 0; names += n) {
-        char text[32];
-        name_text(text, names, n);
-        fprintf(file, "%*s", width_of(names, n), strcmp(text, "texel_u") == 0 ? "texel"
-                                                 : strcmp(text, "texel_v") == 0 ? "" : text);
+        const struct column *column = column_of(names, n);
+        fprintf(file, "%*s", column->width, column->label);
     }
-    exact_columns(trace, &first, &end);
-    fputs(first == EXACT_U ? "  exact u  exact v\n" : " exact\n", file);
+    fputs(shows_exact_texel(trace) ? " exact\n" : "  exact u  exact v\n", file);
 }
 
 /* The stage's columns, then the exact answer's. */
 static void print_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel,
                         int y)
 {
-    static const char *const exact_names[] = {"z", "u", "v", "texel_u", "texel_v"};
     const char *names = names_of(trace, pixel);
-    double exact[EXACT_VALUES];
-    const bool right = exact_values(trace, pixel, y, exact);
-    int i = 0, end;
+    struct trace_exact exact;
+    int i = 0;
 
+    trace_exact(trace, pixel, y, &exact);
     fprintf(file, "%4d", trace_x(trace, pixel));
     for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        print_cell(file, names, n, pixel->values[i]);
+        print_cell(file, column_of(names, n), pixel->values[i]);
     }
-    for (exact_columns(trace, &i, &end); i < end; i++) {
-        print_cell(file, exact_names[i], strlen(exact_names[i]), exact[i]);
+    if (shows_exact_texel(trace)) {
+        print_cell(file, column_of("texel_u", 7), exact.texel_u);
+        print_cell(file, column_of("texel_v", 7), exact.texel_v);
+    } else {
+        print_cell(file, column_of("u", 1), exact.u);
+        print_cell(file, column_of("v", 1), exact.v);
     }
-    fputs(right ? "\n" : "*\n", file);
+    fputs(exact.right ? "\n" : "*\n", file);
 }
 
 static void print_row(FILE *file, const struct trace *trace, const struct row *row)

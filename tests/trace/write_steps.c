@@ -3,40 +3,45 @@
 #include <string.h>
 #include "tests/trace/trace.h"
 
-/* How the 128 bits of a vector register, or a general one, are to be read. */
-enum format { FLOATS, FLOATS_16_16, DOUBLES, INTEGERS, FIXED_16_16, FIXED_U, MASK, INTEGER, ADDRESS, TEXEL };
+/* How a general register, or the 128 bits of a vector register, are to be read. */
+enum format {
+    INTEGER, ADDRESS, TEXEL, /* of a general register */
+    DOUBLES, FLOATS, FLOATS_16_16, INTEGERS, FIXED_16_16, FIXED_U, MASK
+};
 
 struct meaning {
     const char *name;
     enum format format;
 };
 
-/* What span.S keeps in a vector register: while it sets a group up, by the macro; and drawing. */
+#define VECTORS 16
+
+/* What span.S keeps in xmm0 to xmm15 while it sets a group up: in a macro, or else anywhere. */
+static const struct {
+    const char *macro, *names[VECTORS];
+} setting_up[] = {
+    {"interpolants", {"u/z at start", "v/z at start", "u/z at end", "v/z at end", "1/z at start",
+                      "1/z at end", [8] = "end 2 and 3", [9] = "start 2 and 3"}},
+    {"texel_at", {[4] = "1/z at start", [5] = "1/z at end", [6] = "z at start", [7] = "z at end"}},
+    {"line_setup", {[2] = "step of u", [3] = "step of v", [6] = "v falls"}},
+    {"", {"u at start", "v at start", "u at end", "v at end", "u falls", [10] = "length",
+          [11] = "length"}}};
+
+#define SETTING_UP (sizeof setting_up / sizeof setting_up[0])
+
+static const char *const drawing[VECTORS] = {"u",         "v",           "step of u",
+                                             "step of v", "texel index", "v row"};
+
 static const char *vector_name(const struct step *step, const char *macro)
 {
-    static const struct { int reg; const char *macro, *name; } setting_up[] = {
-        {0, "interpolants", "u/z at start"}, {0, "", "u at start"},
-        {1, "interpolants", "v/z at start"}, {1, "", "v at start"},
-        {2, "interpolants", "u/z at end"},   {2, "line_setup", "step of u"}, {2, "", "u at end"},
-        {3, "interpolants", "v/z at end"},   {3, "line_setup", "step of v"}, {3, "", "v at end"},
-        {4, "interpolants", "1/z at start"}, {4, "texel_at", "1/z at start"}, {4, "", "u falls"},
-        {5, "interpolants", "1/z at end"},   {5, "texel_at", "1/z at end"},
-        {6, "texel_at", "z at start"},       {6, "line_setup", "v falls"},
-        {7, "texel_at", "z at end"},         {8, "interpolants", "end 2 and 3"},
-        {9, "interpolants", "start 2 and 3"}, {10, "", "length"}, {11, "", "length"}};
-    static const char *const drawing[] = {"u", "v", "step of u", "step of v", "texel index", "v row"};
-    const int reg = step->reg - 16;
+    const char *name = step->drawing ? drawing[step->reg - 16] : NULL;
 
-    if (step->drawing) {
-        return reg < 6 ? drawing[reg] : "";
-    }
-    for (size_t i = 0; i < sizeof setting_up / sizeof setting_up[0]; i++) {
-        if (setting_up[i].reg == reg && (setting_up[i].macro[0] == '\0' ||
-                                         strcmp(setting_up[i].macro, macro) == 0)) {
-            return setting_up[i].name;
+    for (size_t i = 0; !step->drawing && !name && i < SETTING_UP; i++) {
+        if (strcmp(setting_up[i].macro, macro) == 0 || !*setting_up[i].macro) {
+            name = setting_up[i].names[step->reg - 16];
         }
     }
-    return "";
+    return name ? name : "";
 }
 
 /* The mnemonic says what lies in a vector register: ps is four floats, pd two doubles, the rest
@@ -66,44 +71,32 @@ static enum format vector_format(const struct step *step, const char *macro, con
 
 static struct meaning meaning_of(const struct step *step)
 {
-    static const char *const writes_to[] = {"lane 0 goes to", "lane 1 goes to",
-                                            "lane 2 goes to", "lane 3 goes to"};
-    static const char *const pixels_of[] = {"lane 0's texel", "lane 1's texel", "lane 2's texel",
-                                            "lane 3's texel"};
-    static const int pixel_registers[] = {1, 0, 10, 9};
-    const char *macro;
-    int length;
-    const char *text = steps_source(step->line, &macro, &length);
-    const char *code = text[0] == ' ' ? text : strchr(text, ':') + 1; /* behind a label */
-    char name[32];
+    static const struct meaning general[16] = {
+        [1] = {"lane 0's texel", TEXEL},    [0] = {"lane 1's texel", TEXEL},
+        [10] = {"lane 2's texel", TEXEL},   [9] = {"lane 3's texel", TEXEL},
+        [12] = {"lane 0 goes to", ADDRESS}, [13] = {"lane 1 goes to", ADDRESS},
+        [14] = {"lane 2 goes to", ADDRESS}, [15] = {"lane 3 goes to", ADDRESS}};
+    const struct step_line *line = steps_line(step->line);
+    const char *code = line->text[0] == ' ' ? line->text : strchr(line->text, ':') + 1;
 
-    code += strspn(code, " ");
-    snprintf(name, sizeof name, "%.*s", length, macro);
+    code += strspn(code, " "); /* behind a label */
     if (step->reg >= 16) {
-        const enum format format = vector_format(step, name, code);
+        const enum format format = vector_format(step, line->macro, code);
         const bool divided = step->reg == 16 + 11 && format == FLOATS;
-        return (struct meaning){divided ? "1 / length" : vector_name(step, name), format};
+        return (struct meaning){divided ? "1 / length" : vector_name(step, line->macro), format};
     }
-    if (step->drawing && step->reg >= 12) {
-        return (struct meaning){writes_to[step->reg - 12], ADDRESS};
-    }
-    for (int i = 0; i < STEPS_LANES; i++) {
-        const bool loads = strncmp(code, "mov ", 4) == 0 && strstr(code, "[r8 + ");
-        if (step->reg == pixel_registers[i] && (loads || step->lane == i)) {
-            return (struct meaning){pixels_of[i], TEXEL};
-        }
-    }
-    return (struct meaning){"", INTEGER};
+    const bool texel = step->lane >= 0 || /* stored, or just read */
+                       (strncmp(code, "mov ", 4) == 0 && strstr(code, "[r8 + "));
+    return general[step->reg].name && (step->reg >= 12 ? step->drawing : texel)
+               ? general[step->reg]
+               : (struct meaning){"", INTEGER};
 }
 
-static const char *register_name(int reg)
-{
-    static const char *const names[STEPS_REGISTERS] = {
-        "rax",  "rcx",  "rdx",  "rbx",  "rsp",  "rbp",  "rsi",   "rdi",   "r8",    "r9",    "r10",
-        "r11",  "r12",  "r13",  "r14",  "r15",  "xmm0", "xmm1",  "xmm2",  "xmm3",  "xmm4",  "xmm5",
-        "xmm6", "xmm7", "xmm8", "xmm9", "xmm10", "xmm11", "xmm12", "xmm13", "xmm14", "xmm15"};
-    return reg < 0 ? "" : names[reg];
-}
+static const char *const register_names[STEPS_REGISTERS] = {
+    "rax",  "rcx",  "rdx",   "rbx",   "rsp",   "rbp",   "rsi",   "rdi",
+    "r8",   "r9",   "r10",   "r11",   "r12",   "r13",   "r14",   "r15",
+    "xmm0", "xmm1", "xmm2",  "xmm3",  "xmm4",  "xmm5",  "xmm6",  "xmm7",
+    "xmm8", "xmm9", "xmm10", "xmm11", "xmm12", "xmm13", "xmm14", "xmm15"};
 
 /* The column and row of a pixel; false where the address is not in the frame. */
 static bool pixel_at(const struct trace *trace, const uint32_t *address, int *x, int *y)
@@ -115,61 +108,32 @@ static bool pixel_at(const struct trace *trace, const uint32_t *address, int *x,
     return at >= 0 && at < (ptrdiff_t)trace->frame.stride * trace->frame.height;
 }
 
-/* The lanes' values, each through `print` with its text. */
-static int lanes_of(const struct trace *trace, const struct step *step, enum format format,
-                    char texts[STEPS_LANES][32])
+/* The value of one lane. */
+static void lane_text(const struct trace *trace, const struct step *step, enum format format,
+                      int lane, char text[32])
 {
     const int width = trace->texture.width, texel = (int)(step->value.general - 1);
+    const int integer = step->value.integers[lane];
+    const double number = step->value.floats[lane], steps = step->reg == 16 ? (uint32_t)integer
+                                                                            : (double)integer;
     int x, y;
 
     switch (format) {
-    case FLOATS:
-    case FLOATS_16_16:
-        for (int i = 0; i < 4; i++) {
-            const double scale = format == FLOATS ? 1 : 1 / 65536.0;
-            snprintf(texts[i], 32, "%.6g", step->value.floats[i] * scale);
-        }
-        return 4;
-    case DOUBLES:
-        for (int i = 0; i < 2; i++) {
-            snprintf(texts[i], 32, "%.6g", step->value.doubles[i]);
-        }
-        return 2;
-    case FIXED_16_16:
-        for (int i = 0; i < 4; i++) {
-            snprintf(texts[i], 32, "%.5f", step->value.integers[i] / 65536.0);
-        }
-        return 4;
-    case FIXED_U:
-        for (int i = 0; i < 4; i++) {
-            const double wraps = step->reg == 16 ? (uint32_t)step->value.integers[i]
-                                                 : (double)step->value.integers[i];
-            snprintf(texts[i], 32, "%.5f", wraps * width / 4294967296.0);
-        }
-        return 4;
-    case INTEGERS:
-        for (int i = 0; i < 4; i++) {
-            snprintf(texts[i], 32, "%d", (int)step->value.integers[i]);
-        }
-        return 4;
-    case MASK:
-        for (int i = 0; i < 4; i++) {
-            snprintf(texts[i], 32, "%s", step->value.integers[i] ? "yes" : "no");
-        }
-        return 4;
-    case TEXEL:
-        snprintf(texts[0], 32, "(%d %d)", texel % width, texel / width);
-        return 1;
+    case DOUBLES: snprintf(text, 32, "%.6g", step->value.doubles[lane]); break;
+    case FLOATS: snprintf(text, 32, "%.6g", number); break;
+    case FLOATS_16_16: snprintf(text, 32, "%.6g", number / 65536); break;
+    case INTEGERS: snprintf(text, 32, "%d", integer); break;
+    case FIXED_16_16: snprintf(text, 32, "%.5f", integer / 65536.0); break;
+    case FIXED_U: snprintf(text, 32, "%.5f", steps * width / 4294967296.0); break;
+    case MASK: snprintf(text, 32, "%s", integer ? "yes" : "no"); break;
+    case TEXEL: snprintf(text, 32, "(%d %d)", texel % width, texel / width); break;
+    case INTEGER: snprintf(text, 32, "%lld", (long long)step->value.general); break;
     case ADDRESS:
         if (pixel_at(trace, (const uint32_t *)(uintptr_t)step->value.general, &x, &y)) {
-            snprintf(texts[0], 32, "(%d %d)", x, y);
+            snprintf(text, 32, "(%d %d)", x, y);
         } else {
-            snprintf(texts[0], 32, "dummy");
+            snprintf(text, 32, "dummy");
         }
-        return 1;
-    default:
-        snprintf(texts[0], 32, "%lld", (long long)step->value.general);
-        return 1;
     }
 }
 
@@ -181,23 +145,27 @@ static bool store_target(const struct trace *trace, const struct step *step, int
            pixel_at(trace, segment->pixels + step->pixel, x, y);
 }
 
-int trace_step_texts(const struct trace *trace, const struct step *step, const char **reg,
-                     const char **meaning, char lanes[STEPS_LANES][32])
+struct step_text trace_step_text(const struct trace *trace, const struct step *step)
 {
-    const struct meaning found = meaning_of(step);
+    struct step_text text = {.reg = "", .meaning = ""};
 
-    *reg = register_name(step->reg);
-    *meaning = found.name;
-    return step->reg < 0 ? 0 : lanes_of(trace, step, found.format, lanes);
+    if (step->reg >= 0) {
+        const struct meaning found = meaning_of(step);
+        text.reg = register_names[step->reg];
+        text.meaning = found.name;
+        text.count = found.format < DOUBLES ? 1 : found.format == DOUBLES ? 2 : STEPS_LANES;
+        for (int lane = 0; lane < text.count; lane++) {
+            lane_text(trace, step, found.format, lane, text.lanes[lane]);
+        }
+    }
+    return text;
 }
 
 void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
 {
     for (int i = 0; i < trace->steps.count; i++) {
         const struct step *step = &trace->steps.items[i];
-        const char *reg, *meaning;
-        char lanes[STEPS_LANES][32];
-        const int count = trace_step_texts(trace, step, &reg, &meaning, lanes);
+        const struct step_text text = trace_step_text(trace, step);
         int x, y;
 
         fprintf(file, "step,%d,", step->line);
@@ -210,9 +178,9 @@ void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
             fputs(",", file);
         }
         fprintf(file, "%d,%d,%s,%s,%s", step->call, step->group,
-                step->drawing ? "draw" : "set_up", reg, meaning);
+                step->drawing ? "draw" : "set_up", text.reg, text.meaning);
         for (int k = 0; k < STEPS_LANES; k++) {
-            fprintf(file, ",%s", k < count ? lanes[k] : "");
+            fprintf(file, ",%s", text.lanes[k]);
         }
         fputs("\n", file);
     }
@@ -248,34 +216,25 @@ static void print_group(FILE *file, const struct trace *trace, const struct step
     fputs("\n", file);
 }
 
-/* The code without the comment behind it. */
-static void print_code(FILE *file, const struct step *step)
+/* The code without the comment behind it, and what it changed. */
+static void print_step(FILE *file, const struct trace *trace, const struct step *step)
 {
-    const char *macro;
-    int length;
-    const char *text = steps_source(step->line, &macro, &length);
-    const char *comment = strstr(text, "/*");
-    int end = comment ? (int)(comment - text) : (int)strlen(text);
+    const struct step_line *line = steps_line(step->line);
+    const struct step_text text = trace_step_text(trace, step);
+    const char *comment = strstr(line->text, "/*");
+    int end = comment ? (int)(comment - line->text) : (int)strlen(line->text);
+    const int begin = end > 8 ? 8 : 0;
 
-    while (end > 0 && text[end - 1] == ' ') {
+    while (end > 0 && line->text[end - 1] == ' ') {
         end--;
     }
-    fprintf(file, "%5d %-10.*s %.*s\n", step->line, length, macro, end - (end > 8 ? 8 : 0),
-            text + (end > 8 ? 8 : 0));
-}
-
-static void print_values(FILE *file, const struct trace *trace, const struct step *step)
-{
-    const struct meaning meaning = meaning_of(step);
-    char lanes[STEPS_LANES][32];
-
-    if (step->reg < 0 || (step->lane < 0 && meaning.format == INTEGER)) {
+    fprintf(file, "%5d %-10s %.*s\n", step->line, line->macro, end - begin, line->text + begin);
+    if (step->reg < 16 && !*text.meaning) {
         return;
     }
-    const int count = lanes_of(trace, step, meaning.format, lanes);
-    fprintf(file, "      %-6s%-14.14s", register_name(step->reg), meaning.name);
-    for (int i = 0; i < count; i++) {
-        fprintf(file, "%13s", lanes[i]);
+    fprintf(file, "      %-6s%-14.14s", text.reg, text.meaning);
+    for (int i = 0; i < text.count; i++) {
+        fprintf(file, "%13s", text.lanes[i]);
     }
     fputs("\n", file);
 }
@@ -285,12 +244,11 @@ static void print_stores(FILE *file, const struct trace *trace, const struct ste
                          const struct step *end)
 {
     fprintf(file, "      pixel %-8d", (*step)->pixel);
-    for (int lane = 0; lane < STEPS_LANES && *step < end && (*step)->lane == lane; ++*step, lane++) {
-        char texts[STEPS_LANES][32];
+    for (int lane = 0; lane < STEPS_LANES && *step < end && (*step)->lane == lane; lane++) {
         int x, y;
-        const bool seen = store_target(trace, *step, &x, &y);
-        lanes_of(trace, *step, TEXEL, texts);
-        fprintf(file, "%13s", seen ? texts[0] : "dummy");
+        fprintf(file, "%13s", store_target(trace, *step, &x, &y)
+                                  ? trace_step_text(trace, *step).lanes[0] : "dummy");
+        ++*step;
     }
     fputs("\n", file);
     --*step;
@@ -319,8 +277,7 @@ void trace_write_steps_table(FILE *file, const struct trace *trace)
             print_stores(file, trace, &step, end);
             turns++;
         } else if (turns == 0) {
-            print_code(file, step);
-            print_values(file, trace, step);
+            print_step(file, trace, step);
         }
     }
 }

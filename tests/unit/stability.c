@@ -19,7 +19,8 @@ static void test_case(const char *path, const struct stability_stages *chosen)
     if (!check(stability_open(&row, path, chosen, &error), path, "%s", error.text)) {
         return;
     }
-    if (check(stability_measure(&row, chosen, values, &error), path, "%s", error.text)) {
+    if (check(measure_source(row.measure, &row.source, chosen, values, &error), path, "%s",
+              error.text)) {
         for (int i = 0; i < chosen->count; i++) {
             const struct expectation expected = row.expected[i];
             check(strcmp(stability_verdict(expected, values[i]), "unexpected") != 0, path,
@@ -28,7 +29,7 @@ static void test_case(const char *path, const struct stability_stages *chosen)
                   expected.tolerance, row.why);
         }
     }
-    stability_close(&row);
+    source_close(&row.source);
 }
 
 /* The judge itself: it must be able to say no, in both directions. */

@@ -80,7 +80,7 @@ static int pixel_wrong(const struct trace *trace, const struct trace_event *pixe
     if (!trace_exact(trace, pixel, y, &exact)) {
         return shown(exact_frame, x, y) >= 0 || texel != shown(frame, x, y);
     }
-    const int exact_texel = exact.texel_u << 8 | exact.texel_v;
+    const int exact_texel = (int)exact.texel_u << 8 | (int)exact.texel_v;
     return texel != shown(frame, x, y) || exact_texel != shown(exact_frame, x, y) ||
            !is_inside(exact.u, exact.texel_u) || !is_inside(exact.v, exact.texel_v) ||
            (texel == exact_texel && !exact.right);
