@@ -148,6 +148,6 @@ echo
 if judge "$exercise" "$folder"; then
     echo "It passes."
 else
-    echo "Not yet."
+    echo "Not yet. (make counts that as an error; so do scripts.)"
     exit 1
 fi
