@@ -64,6 +64,7 @@ unsigned char *test_get_file(const char *path, size_t *size)
         fprintf(stderr, "test: %s: %s\n", path, strerror(errno));
         exit(2);
     }
+    bytes[*size] = '\0';
     fclose(file);
     return bytes;
 }

@@ -12,7 +12,8 @@ const char *test_path(const char *name);
 /* Writes the file. Ends the program when that cannot be done. */
 void test_put_file(const char *path, const void *bytes, size_t size);
 
-/* The bytes of a file that is there, for the caller to free. Ends the program otherwise. */
+/* The bytes of a file that is there, and a 0 after them, for the caller to free. Ends the program
+ * otherwise. */
 unsigned char *test_get_file(const char *path, size_t *size);
 
 /* An image whose rows lie a pixel apart, where it is not the widest. Ends the program without

@@ -1,5 +1,5 @@
 /* The group `golden`: what every stage draws of the scenes, as digests in tests/golden/. */
-#include <assert.h>
+#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +8,7 @@
 #include "tests/unit/check.h"
 #include "tests/exact/exact.h"
 #include "tests/program/source.h"
+#include "tests/unit/files.h"
 #include "tests/unit/test.h"
 
 #define GOLDEN_FILE "tests/golden/digests.txt"
@@ -21,12 +22,10 @@
 #define FNV_PRIME 0x100000001B3u
 
 /* What is drawn by each stage. */
-struct scenery {
+static const struct {
     enum scene_id scene;
     int frame;
-};
-
-static const struct scenery sceneries[] = {
+} sceneries[] = {
     {SCENE_ROOM, 0}, {SCENE_ROOM, 100}, {SCENE_ROOM, 200},
     {SCENE_WALL, 0}, {SCENE_FLOOR, 0},  {SCENE_MESH, 0},
 };
@@ -36,50 +35,24 @@ static const struct size sizes[] = {{320, 240}, {317, 239}};
 #define SCENERY_COUNT (sizeof sceneries / sizeof sceneries[0])
 #define SIZE_COUNT (sizeof sizes / sizeof sizes[0])
 
-#define STAGES_MAX 16
-#define LINES_MAX (STAGES_MAX * (int)(SCENERY_COUNT * SIZE_COUNT))
-
-/* A line of the file. */
-struct golden {
-    const struct stage *stage;
-    struct scenery scenery;
-    struct size size;
-    uint64_t digest;
-    size_t differing; /* pixels that differ from the exact answer */
-};
-
-struct goldens {
-    struct golden lines[LINES_MAX];
-    int count;
-};
-
-/* Each pixel's bytes from the lowest up, whatever order the processor keeps them in. */
-static uint64_t digest(const struct image *image)
+/* The line's end: a digest of the frame, each pixel's bytes from the lowest up, whatever order the
+ * processor keeps them in; and how many pixels differ from the exact answer. */
+static void write_numbers(FILE *out, const struct image *frame, const struct image *exact)
 {
     uint64_t hash = FNV_BASIS;
-
-    for (int y = 0; y < image->height; y++) {
-        for (int x = 0; x < image->width; x++) {
-            for (int shift = 0; shift < 32; shift += 8) {
-                const uint32_t pixel = image->pixels[y * image->stride + x];
-                hash = (hash ^ (pixel >> shift & 0xFF)) * FNV_PRIME;
-            }
-        }
-    }
-    return hash;
-}
-
-static size_t count_differing(const struct image *a, const struct image *b)
-{
     size_t differing = 0;
 
-    for (int i = 0; i < a->width * a->height; i++) { /* both without gaps between rows */
-        differing += a->pixels[i] != b->pixels[i];
+    for (int i = 0; i < frame->width * frame->height; i++) { /* without gaps between rows */
+        for (int shift = 0; shift < 32; shift += 8) {
+            hash = (hash ^ (frame->pixels[i] >> shift & 0xFF)) * FNV_PRIME;
+        }
+        differing += frame->pixels[i] != exact->pixels[i];
     }
-    return differing;
+    fprintf(out, "%016" PRIx64 " %zu\n", hash, differing);
 }
 
-static bool add_source(struct goldens *goldens, const struct source *source, struct error *error)
+/* A line for each stage. */
+static bool write_source(FILE *out, const struct source *source, struct error *error)
 {
     const struct size size = source->size;
     struct image exact = {0}, frame = {0};
@@ -91,14 +64,9 @@ static bool add_source(struct goldens *goldens, const struct source *source, str
         for (const struct stage *stage = stages; stage->name; stage++) {
             memset(frame.pixels, 0, (size_t)(size.width * size.height) * sizeof *frame.pixels);
             source_draw(source, stage->draw, NULL, &frame);
-            assert(goldens->count < LINES_MAX);
-            goldens->lines[goldens->count++] = (struct golden){
-                .stage = stage,
-                .scenery = {source->scene, source->frame},
-                .size = size,
-                .digest = digest(&frame),
-                .differing = count_differing(&frame, &exact),
-            };
+            fprintf(out, "%s %s %d %dx%d ", stage->name, scene_name(source->scene), source->frame,
+                    size.width, size.height);
+            write_numbers(out, &frame, &exact);
         }
     }
     image_destroy(&exact);
@@ -106,114 +74,87 @@ static bool add_source(struct goldens *goldens, const struct source *source, str
     return done || error_set(error, "golden: no memory");
 }
 
-static bool goldens_make(struct goldens *goldens, struct error *error)
+/* The file's lines as they are now, for the caller to free; or NULL. */
+static char *draw_all(struct error *error)
 {
-    bool done = true;
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    bool done = out || error_set(error, "golden: no memory");
 
-    goldens->count = 0;
     for (size_t i = 0; done && i < SCENERY_COUNT * SIZE_COUNT; i++) {
-        const struct scenery *scenery = &sceneries[i / SIZE_COUNT];
-        const struct options options = {.scene = scene_name(scenery->scene),
-                                        .frame = scenery->frame,
+        const struct options options = {.scene = scene_name(sceneries[i / SIZE_COUNT].scene),
+                                        .frame = sceneries[i / SIZE_COUNT].frame,
                                         .size = sizes[i % SIZE_COUNT]};
         struct source source;
         done = source_open(&source, &options, error);
         if (done) {
-            done = add_source(goldens, &source, error);
+            done = write_source(out, &source, error);
             source_close(&source);
         }
     }
-    return done;
-}
-
-/* What names a line: all but the two numbers at its end. */
-static void key_write(const struct golden *golden, char key[LINE_LENGTH])
-{
-    snprintf(key, LINE_LENGTH, "%s %s %d %dx%d ", golden->stage->name,
-             scene_name(golden->scenery.scene), golden->scenery.frame, golden->size.width,
-             golden->size.height);
+    if (out && fclose(out) != 0) {
+        done = error_set(error, "golden: no memory");
+    }
+    if (!done) {
+        free(text);
+        text = NULL;
+    }
+    return text;
 }
 
 bool golden_renew(struct error *error)
 {
-    static struct goldens goldens;
-    char key[LINE_LENGTH];
-
     if (!stage_find("5") || !stage_find("coda")) {
         return error_set(error, "%s: can be renewed only where stage 5 and the coda run",
                          GOLDEN_FILE);
     }
-    FILE *file = goldens_make(&goldens, error) ? file_create(GOLDEN_FILE, error) : NULL;
-    if (!file) {
-        return false;
+    char *text = draw_all(error);
+    FILE *file = text ? file_create(GOLDEN_FILE, error) : NULL;
+    if (file) {
+        fprintf(file, "%s%s", HEADER, text);
     }
-    fputs(HEADER, file);
-    for (int i = 0; i < goldens.count; i++) {
-        key_write(&goldens.lines[i], key);
-        fprintf(file, "%s%016" PRIx64 " %zu\n", key, goldens.lines[i].digest,
-                goldens.lines[i].differing);
-    }
-    return file_finish(file, GOLDEN_FILE, error);
+    free(text);
+    return file && file_finish(file, GOLDEN_FILE, error);
 }
 
-/* Reads the digest and the number from the file's line with that key. */
-static bool find_line(FILE *file, const char *key, uint64_t *digest_before, size_t *differing)
+/* A line, without its newline, against that in the file with the same four words in front. */
+static void compare(const char *line, const char *before)
 {
-    char line[2 * LINE_LENGTH];
-    const size_t length = strlen(key);
+    char name[LINE_LENGTH], stage[LINE_LENGTH], scene[LINE_LENGTH], size[LINE_LENGTH];
+    int frame = 0, key = 0;
 
-    rewind(file);
-    while (fgets(line, sizeof line, file)) {
-        if (strncmp(line, key, length) == 0) {
-            return sscanf(line + length, "%" SCNx64 " %zu", digest_before, differing) == 2;
-        }
+    sscanf(line, "%159s %159s %d %159s %n", stage, scene, &frame, size, &key);
+    snprintf(name, sizeof name, "golden: %.*sis what it was", key, line);
+    while (before && strncmp(before, line, (size_t)key) != 0) {
+        before = strchr(before, '\n');
+        before = before ? before + 1 : NULL;
     }
-    return false;
-}
-
-static void compare(const struct golden *now, FILE *file)
-{
-    char key[LINE_LENGTH], name[2 * LINE_LENGTH];
-    const char *stage = now->stage->digit ? now->stage->digit : now->stage->name;
-    uint64_t digest_before;
-    size_t differing;
-
-    key_write(now, key);
-    snprintf(name, sizeof name, "golden: %sis what it was", key);
-    if (!find_line(file, key, &digest_before, &differing)) {
-        check(false, name, "no such line in %s; `make golden` writes it", GOLDEN_FILE);
-        return;
-    }
-    check(now->digest == digest_before && now->differing == differing, name,
-          "pixels that differ from the exact answer: %zu before, %zu now%s.\n"
+    const int length = before ? (int)strcspn(before, "\n") : 0;
+    check((size_t)length == strlen(line) && strncmp(before, line, strlen(line)) == 0, name,
+          "its digest, and how many pixels differ from the exact answer: before %.*s, now %s.\n"
           "     As a picture: build/texmap diff --stages %s,exact --scene %s --frame %d "
-          "--size %dx%d -o build/golden.png\n"
-          "     Where it is meant, `make golden` renews the digests", differing, now->differing,
-          now->digest == digest_before ? ", by the same frame" : "", stage,
-          scene_name(now->scenery.scene), now->scenery.frame, now->size.width, now->size.height);
+          "--size %s -o build/golden.png\n"
+          "     Where it is meant, `make golden` renews the digests", before ? length - key : 4,
+          before ? before + key : "none", line + key, stage, scene, frame, size);
 }
 
 void test_golden(void)
 {
-    static struct goldens goldens;
-    struct error error;
-    FILE *file = fopen(GOLDEN_FILE, "r");
+    struct error error = {""};
+    size_t size;
+    char *before = (char *)test_get_file(GOLDEN_FILE, &size), *now = draw_all(&error);
 
-    if (!check(file, "golden: there are digests to compare with",
-               "%s cannot be read from this folder", GOLDEN_FILE)) {
-        return;
-    }
     if (!stage_find("coda")) {
         check_skip("golden: coda", CODA_MISSING);
     }
     if (!stage_find("5")) {
         check_skip("golden: stage5_asm", "stage 5 is for x86-64 only");
     }
-    if (check(goldens_make(&goldens, &error), "golden: the scenes can be drawn", "%s",
-              error.text)) {
-        for (int i = 0; i < goldens.count; i++) {
-            compare(&goldens.lines[i], file);
-        }
+    check(now, "golden: the scenes can be drawn", "%s", error.text);
+    for (char *line = now ? strtok(now, "\n") : NULL; line; line = strtok(NULL, "\n")) {
+        compare(line, before);
     }
-    fclose(file);
+    free(now);
+    free(before);
 }
