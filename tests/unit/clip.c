@@ -196,14 +196,6 @@ static void test_watertight(void)
     triangle_list_destroy(&list);
 }
 
-/* A point of the screen seen on the plane of a triangle in space: z (x, y, 1) is the sum of
- * weight_i v_i, where the weights sum to 1. So 1/z is the sum of weight_i/z, and u/z that of
- * weight_i/z u_i. */
-struct seen {
-    double weight_over_z[3];
-    double value[3]; /* 1/z, u/z, v/z */
-};
-
 /* Of the columns a, b and (x, y, 1). */
 static double determinant(const struct clip_vertex *a, const struct clip_vertex *b, double x,
                           double y)
@@ -212,7 +204,7 @@ static double determinant(const struct clip_vertex *a, const struct clip_vertex 
            (a->x * b->y - b->x * a->y);
 }
 
-static struct seen see(const struct clip_vertex v[3], double x, double y)
+struct seen see(const struct clip_vertex v[3], double x, double y)
 {
     const double whole = v[2].w * determinant(&v[0], &v[1], v[2].x / v[2].w, v[2].y / v[2].w);
     struct seen seen = {.value = {0}};

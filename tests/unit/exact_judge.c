@@ -6,6 +6,7 @@
 #include "tests/exact/exact.h"
 #include "tests/judge/generate.h"
 #include "tests/unit/check.h"
+#include "tests/unit/clip.h"
 #include "tests/unit/exact.h"
 
 #define SMALL_SIDE 48 /* pixels: every one of the frame is judged */
@@ -107,52 +108,21 @@ static bool agree_in_frames(struct random *random, int side, int triangles, int 
     return true;
 }
 
-/* The camera sees pixel (x, y) along the ray t (x, y, 1); a vertex lies at z (x, y, 1). */
-struct space_vector {
-    long double x, y, z;
-};
-
-static struct space_vector along_ray(double x, double y, long double depth)
-{
-    return (struct space_vector){x * depth, y * depth, depth};
-}
-
-static struct space_vector minus(struct space_vector a, struct space_vector b)
-{
-    return (struct space_vector){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static struct space_vector cross(struct space_vector a, struct space_vector b)
-{
-    return (struct space_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-                                 a.x * b.y - a.y * b.x};
-}
-
-static long double dot(struct space_vector a, struct space_vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* Cuts the ray with the triangle's plane, normal n, at depth n.p0 / n.(x, y, 1); the point there is
- * p0 + a (p1 - p0) + b (p2 - p0), and u and v are mixed by a and b. */
+/* u, v and z where the ray t (x, y, 1) cuts the triangle's plane. A vertex lies at z (x, y, 1); all
+ * is moved so that the ray is (0, 0, 1), which loses no digits. */
 static struct exact_point cut_ray(const struct vertex v[3], int x, int y)
 {
-    const struct space_vector p0 = along_ray(v[0].x, v[0].y, v[0].z);
-    const struct space_vector e1 = minus(along_ray(v[1].x, v[1].y, v[1].z), p0);
-    const struct space_vector e2 = minus(along_ray(v[2].x, v[2].y, v[2].z), p0);
-    const struct space_vector n = cross(e1, e2);
-    const long double depth = dot(n, p0) / dot(n, along_ray(x, y, 1));
-    const struct space_vector p = minus(along_ray(x, y, depth), p0);
-    const long double a = dot(cross(p, e2), n) / dot(n, n);
-    const long double b = dot(cross(e1, p), n) / dot(n, n);
+    struct clip_vertex space[3];
 
-    return (struct exact_point){
-        .u = (double)(v[0].u + a * ((long double)v[1].u - v[0].u) +
-                      b * ((long double)v[2].u - v[0].u)),
-        .v = (double)(v[0].v + a * ((long double)v[1].v - v[0].v) +
-                      b * ((long double)v[2].v - v[0].v)),
-        .z = (double)depth,
-    };
+    for (int k = 0; k < 3; k++) {
+        const double z = v[k].z;
+        space[k] = (struct clip_vertex){(v[k].x - (double)x) * z, (v[k].y - (double)y) * z, z,
+                                        v[k].u, v[k].v};
+    }
+    const struct seen seen = see(space, 0, 0);
+    return (struct exact_point){.u = seen.value[1] / seen.value[0],
+                                .v = seen.value[2] / seen.value[0],
+                                .z = 1 / seen.value[0]};
 }
 
 /* The largest difference over some pixels of the triangle, both ends of each row among them. */
