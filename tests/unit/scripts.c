@@ -68,3 +68,9 @@ void test_cli(void)
 {
     check_script("sh tests/unit/cli.sh");
 }
+
+void test_report(void)
+{
+    check_script("sh tests/unit/report.sh");
+    check_script("sh tests/page/wasm/build.sh check");
+}
