@@ -194,7 +194,8 @@ static inline void draw_segment(uint32_t *pixels, int count, const struct image 
                                 struct texel start, struct texel end, int length)
 {
     const uint32_t *texels = texture->pixels;
-    const int u_mask = texture->width - 1, v_mask = (texture->height - 1) * texture->width;
+    /* Indices in 64 bits, as an address is: there is nothing to convert at a pixel. */
+    const size_t u_mask = texture->width - 1, v_mask = (texture->height - 1) * texture->width;
     const int v_shift = 16 - __builtin_ctz(texture->width); /* from 16.16 to v width */
     const struct line u_line = line_setup(start.u, end.u, length);
     const struct line v_line = line_setup(start.v, end.v, length);
@@ -224,6 +225,7 @@ static inline void draw_span(struct image *frame, const struct image *texture,
     int last = right->x - left->x - 1;
     if (last < 0)
         return;
+    const struct image copy = *texture; /* a pixel written could change the original */
     uint32_t *pixels = &frame->pixels[y * frame->stride + left->x];
     struct interpolants at = left->at;
     TRACE_SPAN(y, left, right, at, g->dx);
@@ -235,11 +237,11 @@ static inline void draw_span(struct image *frame, const struct image *texture,
         last -= SEGMENT_LENGTH;
         at = add(at, scale(segment_length(last), g->dx));
         const struct texel next = texel_at(g, at); /* divides while this segment is drawn */
-        draw_segment(pixels, SEGMENT_LENGTH, texture, start, end, SEGMENT_LENGTH);
+        draw_segment(pixels, SEGMENT_LENGTH, &copy, start, end, SEGMENT_LENGTH);
         start = end;
         end = next;
     }
-    draw_segment(pixels, last + 1, texture, start, end, segment_length(last));
+    draw_segment(pixels, last + 1, &copy, start, end, segment_length(last));
 }
 
 /* Draws the triangle, either winding. Its vertices lie in the frame, -1/2 to width - 1/2 and height
