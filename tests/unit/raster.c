@@ -1,15 +1,17 @@
-/* The fill rule on triangles worked by hand from its definition, in every stage and in all six
- * orders of the vertices: rows ceil(y_top) .. ceil(y_bottom) - 1, columns ceil(x_left) ..
+/* The fill rule on triangles worked by hand from its definition, in every stage, the exact answer,
+ * and all six orders of the vertices: rows ceil(y_top) .. ceil(y_bottom) - 1, columns ceil(x_left) ..
  * ceil(x_right) - 1. */
 #include <stdio.h>
 #include <string.h>
 #include "tests/unit/check.h"
+#include "tests/exact/exact.h"
 #include "tests/program/stages.h"
 #include "tests/unit/test.h"
 
 #define SIDE 8
 #define NAME_LENGTH 120
 #define FLOATS 65536 /* or the grid on which all vertices lie */
+#define STEP (1 / 65536.0f)
 
 struct picture {
     const char *name;
@@ -112,6 +114,37 @@ static const struct picture pictures[] = {
       "###.....",
       "##......",
       "#......."}},
+    {"2^-16 pixel right of and below the centres", /* x < 6 + 2^-15 - y */
+     FLOATS, FLOATS, {{1 + STEP, 1 + STEP}, {5 + STEP, 1 + STEP}, {1 + STEP, 5 + STEP}},
+     {"........",
+      "........",
+      "..###...",
+      "..##....",
+      "..#....."}},
+    {"2^-16 pixel left of and above the centres", /* x < 6 - 2^-15 - y */
+     FLOATS, FLOATS, {{1 - STEP, 1 - STEP}, {5 - STEP, 1 - STEP}, {1 - STEP, 5 - STEP}},
+     {"........",
+      ".####...",
+      ".###....",
+      ".##.....",
+      ".#......"}},
+    {"the frame's other half: the centres on the diagonal are on its left edge", /* x >= 7 - y */
+     16, FLOATS, {{7.5f, -0.5f}, {7.5f, 7.5f}, {-0.5f, 7.5f}},
+     {".......#",
+      "......##",
+      ".....###",
+      "....####",
+      "...#####",
+      "..######",
+      ".#######",
+      "########"}},
+    {"a sliver below a row: its top edge is inside, but not the right end",
+     16, FLOATS, {{0, 2}, {5, 2}, {2, 2.25f}},
+     {"........",
+      "........",
+      "#####..."}},
+    {"a sliver above a row: the centres on its bottom edge are outside",
+     16, FLOATS, {{0, 2}, {5, 2}, {2, 1.75f}}, {NULL}},
     {"no area: a point", 1, FLOATS, {{3, 3}, {3, 3}, {3, 3}}, {NULL}},
     {"no area: two vertices alike", 1, FLOATS, {{1, 1}, {5, 6}, {1, 1}}, {NULL}},
     {"no area: a row", 1, FLOATS, {{1, 3}, {6, 3}, {4, 3}}, {NULL}},
@@ -172,7 +205,12 @@ static void test_picture(const struct picture *picture, const struct stage *stag
 
 void test_raster(void)
 {
+    static const struct stage exact = {.name = "exact", .draw = exact_draw_triangle};
+
     for (size_t i = 0; i < PICTURE_COUNT; i++) {
+        if (pictures[i].fine == FLOATS) {
+            test_picture(&pictures[i], &exact);
+        }
         for (const struct stage *stage = stages; stage->name; stage++) {
             const int grid = stage->grid ? stage->grid : FLOATS;
             if (grid >= pictures[i].coarse && grid <= pictures[i].fine) {
