@@ -1,7 +1,5 @@
 /* The group `coda`: its assembly and its bound. That its frames are the exact answer's is among the
  * gates. TEXMAP_COORDINATES in the environment: in how many coordinates errors are measured. */
-#include "tests/asm/coda.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,11 +43,11 @@ static struct {
     long count;
 } measured;
 
-static char changed[CODA_TEXT]; /* what call_checked() found in one of the calls */
+static char changed[ASM_TEXT]; /* what call_checked() found in one of the calls */
 
 static void call(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS])
 {
-    char text[CODA_TEXT];
+    char text[ASM_TEXT];
 
     if (!call_checked(function, arguments, text, sizeof text)) {
         snprintf(changed, sizeof changed, "not as they were: %.900s", text);
@@ -181,7 +179,7 @@ static void draw(void *context)
     checked_draw_triangle(&task->own, &task->texture, task->v);
 }
 
-static bool task_holds(struct task *task, char text[CODA_TEXT])
+static bool task_holds(struct task *task, char text[ASM_TEXT])
 {
     const void *address;
 
@@ -207,7 +205,10 @@ static bool task_holds(struct task *task, char text[CODA_TEXT])
     return true;
 }
 
-bool coda_calls(char text[CODA_TEXT])
+/* Triangles of all kinds between guard pages, each call into the assembly looked at: is nothing
+ * beside frame and texture touched, is the calling convention kept, and is the memory of the frame,
+ * what lies between its rows too, what the exact answer makes of it? If not, `text` says where. */
+static bool coda_calls(char text[ASM_TEXT])
 {
     struct random random = random_start(801);
     bool holds = true;
@@ -228,7 +229,9 @@ bool coda_calls(char text[CODA_TEXT])
     return holds;
 }
 
-bool coda_bound(long count, char text[CODA_TEXT])
+/* The float errors of at least `count` coordinates, by the same arithmetic in C: is the largest
+ * below what coda.c allows for, and above a third of it? */
+static bool coda_bound(long count, char text[ASM_TEXT])
 {
     struct random random = random_start(802);
     struct image frame, texture;
@@ -251,7 +254,7 @@ bool coda_bound(long count, char text[CODA_TEXT])
     measured.on = false;
     image_destroy(&frame);
     image_destroy(&texture);
-    snprintf(text, CODA_TEXT, "%ld coordinates, at most %.3f of the bound", measured.count,
+    snprintf(text, ASM_TEXT, "%ld coordinates, at most %.3f of the bound", measured.count,
              measured.worst);
     return measured.worst > 1.0 / 3 && measured.worst <= 1;
 }
@@ -259,14 +262,17 @@ bool coda_bound(long count, char text[CODA_TEXT])
 void test_coda(void)
 {
     const char *wanted = getenv(COORDINATES_VARIABLE);
-    char text[CODA_TEXT] = "";
+    char text[ASM_TEXT] = "";
 
     if (!coda_available()) {
         check_skip("the coda", CODA_MISSING);
         return;
     }
-    check(coda_calls(text), CODA_CALLS, "%s", text);
-    check(coda_bound(wanted ? atol(wanted) : COORDINATES, text), CODA_BOUND, "%s", text);
+    check(coda_calls(text),
+          "the coda's calls touch frame and texture only, and keep the calling convention", "%s",
+          text);
+    check(coda_bound(wanted ? atol(wanted) : COORDINATES, text),
+          "the coda's float errors stay below their bound", "%s", text);
     if (wanted) {
         printf("%s\n", text);
     }

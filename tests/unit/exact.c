@@ -1,12 +1,166 @@
-/* The group `exact`: how vertices are rounded, and its other files. What the exact answer covers is
- * worked by hand in raster.c. */
-#include "tests/unit/exact.h"
-
-#include "tests/unit/check.h"
+/* The exact answer against other formulas, on the triangles of tests/judge/generate.h: coverage
+ * against a judge that looks at every pixel alone, in 128 bits; u, v and z against the point where
+ * the ray through the pixel cuts the triangle's plane. raster.c has triangles worked by hand. */
+#include <math.h>
+#include <stdlib.h>
 #include "tests/exact/exact.h"
+#include "tests/judge/generate.h"
+#include "tests/unit/check.h"
+#include "tests/unit/clip.h"
 #include "tests/unit/test.h"
 
-#define STEP 0.0000152587890625f /* the grid's: 2^-16 pixel */
+#define SMALL_SIDE 48 /* pixels: every one of the frame is judged */
+#define SMALL_TRIANGLES 4000
+#define LARGE_TRIANGLES 400
+#define RAY_TRIANGLES 400
+#define TOLERANCE 1e-9 /* texels; and of a depth, its share */
+#define ONE EXACT_SUBPIXEL_ONE
+#define STEP (1.0f / ONE) /* pixels */
+
+__extension__ typedef __int128 wide;
+
+/* Which side of the line from a to b does pixel (x, y) lie on? 1, -1, or 0: a and b are one point.
+ * A pixel on the line takes the side of the point a hair to its right, and if that is on the line,
+ * too, a hair below: left and top edges have that point inside, right and bottom edges outside. So
+ * no point is on a line, and a mesh has each pixel in one triangle. */
+static int side_of(const struct vertex *a, const struct vertex *b, int x, int y)
+{
+    const wide ax = (int64_t)((double)a->x * ONE), ay = (int64_t)((double)a->y * ONE);
+    const wide bx = (int64_t)((double)b->x * ONE), by = (int64_t)((double)b->y * ONE);
+    const wide px = (wide)x * ONE, py = (wide)y * ONE;
+    const wide areas[3] = {ax * by - bx * ay + bx * py - px * by + px * ay - ax * py, ay - by,
+                           bx - ax};
+
+    for (int i = 0; i < 3; i++) {
+        if (areas[i] != 0) {
+            return areas[i] > 0 ? 1 : -1;
+        }
+    }
+    return 0;
+}
+
+static bool is_inside(const struct vertex v[3], int x, int y)
+{
+    const int side = side_of(&v[0], &v[1], x, y);
+
+    return side != 0 && side == side_of(&v[1], &v[2], x, y) && side == side_of(&v[2], &v[0], x, y);
+}
+
+/* Columns from..to of row y, of which the exact answer covers first <= x < end. Only where one is
+ * not as expected a check is made; there are millions. */
+static bool agree(const struct vertex v[3], int y, int first, int end, int from, int to)
+{
+    for (int x = from; x <= to; x++) {
+        const bool expected = is_inside(v, x, y), got = x >= first && x < end;
+        if (expected != got) {
+            return check(false, "exact coverage is what the judge says",
+                         "pixel %d,%d of %.9g,%.9g %.9g,%.9g %.9g,%.9g: expected %d, got %d", x, y,
+                         (double)v[0].x, (double)v[0].y, (double)v[1].x, (double)v[1].y,
+                         (double)v[2].x, (double)v[2].y, expected, got);
+        }
+    }
+    return true;
+}
+
+/* In large frames only around the places where an edge crosses the row: a span can begin and end
+ * nowhere else. And at one place by chance. */
+static bool agree_in_row(struct random *random, const struct exact_triangle *triangle,
+                         const struct vertex v[3], int y, int side)
+{
+    const int chance = random_int(random, 0, side - 1);
+    int first = 0, end = 0;
+
+    if (triangle && y >= triangle->first_row && y < triangle->end_row) {
+        exact_row(triangle, y, side, &first, &end);
+    }
+    if (side == SMALL_SIDE) {
+        return agree(v, y, first, end, 0, side - 1);
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct vertex *a = &v[k], *b = &v[(k + 1) % 3];
+        const double down = (double)b->y - a->y;
+        const double x =
+            down == 0 ? a->x : a->x + (y - (double)a->y) * ((double)b->x - a->x) / down;
+        const int column = (int)fmin(fmax(x, 2), side - 4);
+        if (!agree(v, y, first, end, column - 2, column + 3)) {
+            return false;
+        }
+    }
+    return agree(v, y, first, end, chance, chance);
+}
+
+static bool agree_in_frames(struct random *random, int side, int triangles, int row_step)
+{
+    for (int i = 0; i < triangles; i++) {
+        struct vertex v[3];
+        struct exact_triangle triangle;
+
+        case_shape(random, v, side, side);
+        case_depths(random, v, 4);
+        case_texels(random, v, -256, 256);
+        const bool area = exact_setup(&triangle, v);
+        for (int y = random_int(random, 0, row_step - 1); y < side;
+             y += random_int(random, 1, row_step)) {
+            if (!agree_in_row(random, area ? &triangle : NULL, v, y, side)) {
+                return false; /* one pixel shown is enough */
+            }
+        }
+    }
+    return true;
+}
+
+/* u, v and z where the ray t (x, y, 1) cuts the triangle's plane. A vertex lies at z (x, y, 1); all
+ * is moved so that the ray is (0, 0, 1), which loses no digits. */
+static struct exact_point cut_ray(const struct vertex v[3], int x, int y)
+{
+    struct clip_vertex space[3];
+
+    for (int k = 0; k < 3; k++) {
+        const double z = v[k].z;
+        space[k] = (struct clip_vertex){(v[k].x - (double)x) * z, (v[k].y - (double)y) * z, z,
+                                        v[k].u, v[k].v};
+    }
+    const struct seen seen = see(space, 0, 0);
+    return (struct exact_point){.u = seen.value[1] / seen.value[0],
+                                .v = seen.value[2] / seen.value[0],
+                                .z = 1 / seen.value[0]};
+}
+
+/* The largest difference over some pixels of the triangle, both ends of each row among them. */
+static double largest_difference(const struct vertex v[3])
+{
+    struct exact_triangle triangle;
+    double largest = 0;
+
+    exact_setup(&triangle, v);
+    for (int y = triangle.first_row; y < triangle.end_row; y += 1 + y % 7) {
+        int first, end;
+        exact_row(&triangle, y, FRAME_SIDE_MAX, &first, &end);
+        for (int x = first; x < end; x += x + 1 < end && x + 100 >= end ? end - 1 - x : 100) {
+            const struct exact_point expected = cut_ray(v, x, y), got = exact_at(&triangle, x, y);
+            largest = fmax(largest, fabs(expected.u - got.u));
+            largest = fmax(largest, fabs(expected.v - got.v));
+            largest = fmax(largest, fabs(expected.z - got.z) / expected.z);
+        }
+    }
+    return largest;
+}
+
+/* Of fair triangles: of thin ones the ray's formula loses the digits that it is asked for. */
+static void test_rays(struct random *random)
+{
+    static struct judge_case fair;
+    double largest = 0;
+
+    for (int i = 0; i < RAY_TRIANGLES; i++) {
+        case_of_kind(&fair, FAIR, random);
+        for (int k = 0; k < fair.count; k++) {
+            largest = fmax(largest, largest_difference(fair.v[k]));
+        }
+    }
+    check(largest < TOLERANCE, "u, v and z are where the ray through the pixel cuts the plane",
+          "largest difference %.3g, allowed %.3g", largest, TOLERANCE);
+}
 
 /* floor(c grid + 1/2) / grid. */
 static void test_rounding(void)
@@ -35,8 +189,12 @@ static void test_rounding(void)
 
 void test_exact(void)
 {
+    struct random random = random_start(0x3A);
+
+    check(agree_in_frames(&random, SMALL_SIDE, SMALL_TRIANGLES, 1),
+          "exact coverage, every pixel of small frames", "see above");
+    check(agree_in_frames(&random, FRAME_SIDE_MAX, LARGE_TRIANGLES, 15),
+          "exact coverage, large frames along all edges", "see above");
+    test_rays(&random);
     test_rounding();
-    test_exact_judge();
-    test_exact_accuracy();
-    test_exact_jitter();
 }

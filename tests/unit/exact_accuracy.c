@@ -8,7 +8,7 @@
 #include "tests/exact/accuracy.h"
 #include "tests/exact/exact.h"
 #include "tests/unit/check.h"
-#include "tests/unit/exact.h"
+#include "tests/unit/test.h"
 
 #define SIDE 64         /* pixels */
 #define FLOAT_SHARE 1e-5 /* texel: what scaled u and v lose as floats */

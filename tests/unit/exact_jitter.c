@@ -7,7 +7,7 @@
 #include "tests/unit/check.h"
 #include "tests/exact/exact.h"
 #include "tests/exact/jitter.h"
-#include "tests/unit/exact.h"
+#include "tests/unit/test.h"
 
 #define SIDE 32         /* pixels */
 #define SWIM_U 0.25     /* texels: far more than a step of the ruler */

@@ -17,6 +17,8 @@
     GROUP(cli, test_cli) \
     GROUP(cli, test_faults) \
     GROUP(exact, test_exact) \
+    GROUP(exact, test_exact_accuracy) \
+    GROUP(exact, test_exact_jitter) \
     GROUP(gates, test_gates) \
     GROUP(asm, test_asm) \
     GROUP(coda, test_coda) \
