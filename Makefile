@@ -227,7 +227,7 @@ sanitize:
 
 #: make torture       ten million random triangles through all stages, the promises as assertions
 torture: $(BUILD)/torture
-	$(BUILD)/torture --count 10000000
+	$(BUILD)/torture 10000000
 
 #: make fuzz          libFuzzer on both readers and on all stages, a minute each (FUZZ_SECONDS=60)
 FUZZ_SECONDS = 60

@@ -25,11 +25,6 @@ bool random_seed(uint64_t *seed)
     return true;
 }
 
-void random_use_seed(uint64_t seed)
-{
-    run_seed = seed;
-}
-
 static uint64_t mix(uint64_t bits)
 {
     bits = (bits ^ (bits >> 30)) * MIX_1;

@@ -17,9 +17,6 @@ struct random {
 #define SEED_VARIABLE "TEXMAP_SEED"
 bool random_seed(uint64_t *seed);
 
-/* For a program that is told its seed otherwise. */
-void random_use_seed(uint64_t seed);
-
 /* The numbers of this seed's stream. */
 struct random random_start(uint64_t stream);
 uint32_t random_bits(struct random *random);
