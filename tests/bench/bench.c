@@ -274,19 +274,6 @@ bool bench_all_right(const struct bench *bench)
     return true;
 }
 
-const struct bench_row *bench_find(const struct bench *bench, const struct bench_row *row,
-                                   const char *stage_digit)
-{
-    for (int i = 0; i < bench->row_count; i++) {
-        const struct bench_row *other = &bench->rows[i];
-        if (other->source == row->source && other->stage->digit &&
-            strcmp(other->stage->digit, stage_digit) == 0) {
-            return other;
-        }
-    }
-    return NULL;
-}
-
 const struct bench_row *bench_lookup(const struct bench *bench, const struct source *source)
 {
     return &bench->rows[bench->row_count + (source - bench->sources)];

@@ -65,10 +65,6 @@ double bench_quantile(const double values[], int count, double share);
 /* Did every row pass its gate? */
 bool bench_all_right(const struct bench *bench);
 
-/* The row of that stage on the same scene as `row`; NULL where there is none. */
-const struct bench_row *bench_find(const struct bench *bench, const struct bench_row *row,
-                                   const char *stage_digit);
-
 const struct bench_row *bench_lookup(const struct bench *bench, const struct source *source);
 const struct bench_row *bench_memset(const struct bench *bench);
 

@@ -22,7 +22,7 @@ static void jitter_add(struct jitter *jitter, int change, size_t pixel, struct d
     const struct drift previous = jitter->previous[pixel];
 
     jitter->previous[pixel] = now;
-    if (!isnan(now.u) && !isnan(previous.u)) {
+    if (change < JITTER_FRAMES && !isnan(now.u) && !isnan(previous.u)) {
         const double du = now.u - previous.u, dv = now.v - previous.v;
         jitter->sums[change] += du * du + dv * dv;
         jitter->counts[change]++;
@@ -90,13 +90,10 @@ static struct jitter *jitters_create(int count, size_t pixels)
     struct jitter *jitter = calloc((size_t)count, sizeof *jitter);
 
     for (int i = 0; jitter && i < count; i++) {
-        jitter[i].previous = malloc(pixels * sizeof *jitter[i].previous);
+        jitter[i].previous = calloc(pixels, sizeof *jitter[i].previous);
         if (!jitter[i].previous) {
             jitters_destroy(jitter, count);
             return NULL;
-        }
-        for (size_t pixel = 0; pixel < pixels; pixel++) {
-            jitter[i].previous[pixel] = (struct drift){NAN, NAN};
         }
     }
     return jitter;

@@ -38,9 +38,11 @@ static double lookup_ns(const struct bench *bench, const struct bench_row *row)
     return bench_ns_per_pixel(lookup, lookup->ns_min);
 }
 
-static void print_row(const struct bench *bench, const struct bench_row *row)
+/* `first`: of its scene. */
+static void print_row(const struct bench *bench, const struct bench_row *row,
+                      const struct bench_row *first)
 {
-    const struct bench_row *first = bench_find(bench, row, "1");
+    const bool is_stage1 = first->stage == stage_find("1");
     const struct accuracy *a = &row->accuracy;
 
     printf("%-16s", row->stage->name);
@@ -53,7 +55,7 @@ static void print_row(const struct bench *bench, const struct bench_row *row)
     if (row->source->triangles.count >= MANY_TRIANGLES) {
         print_cell(6, 0, bench_ns_per_triangle(row, row->ns_min));
     }
-    print_cell(8, 2, first ? first->ns_min / row->ns_min : NAN);
+    print_cell(8, 2, is_stage1 ? first->ns_min / row->ns_min : NAN);
     print_cell(7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
     if (row->judged) {
         print_cell(8, 3, a->wrong_texel_pct);
@@ -113,11 +115,14 @@ static void print_table(const struct bench *bench)
            "that is copying texels from places worked out beforehand. memset: %.3f ns.\n"
            "Positions in texels; < and a step: less than can be measured. Coverage: pixels.\n",
            bench_ns_per_pixel(cleared, cleared->ns_min));
+    const struct bench_row *first = bench->rows;
     for (int i = 0; i < bench->row_count; i++) {
-        if (i == 0 || bench->rows[i].source != bench->rows[i - 1].source) {
-            print_heading(bench, &bench->rows[i]);
+        const struct bench_row *row = &bench->rows[i];
+        first = row->source == first->source ? first : row;
+        if (row == first) {
+            print_heading(bench, row);
         }
-        print_row(bench, &bench->rows[i]);
+        print_row(bench, row, first);
     }
     print_notes(bench);
 }

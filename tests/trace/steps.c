@@ -185,21 +185,20 @@ static int changed(const struct state *before, const struct state *after)
 
 static bool add_call(const struct segment *segments, int count)
 {
-    struct step_call *calls =
+    struct step_segment **calls =
         realloc(target->calls, (size_t)(target->call_count + 1) * sizeof *calls);
-    struct step_segment *kept = malloc((size_t)count * sizeof *kept);
+    struct step_segment *kept = malloc((size_t)(count + STEPS_LANES) * sizeof *kept);
 
-    if (calls) {
-        target->calls = calls;
-    }
+    target->calls = calls ? calls : target->calls;
     if (!calls || !kept) {
         free(kept);
         return false;
     }
-    for (int i = 0; i < count; i++) {
-        kept[i] = (struct step_segment){segments[i].pixels, segments[i].count};
+    for (int i = 0; i < count + STEPS_LANES; i++) {
+        const struct segment *segment = &segments[i < count ? i : count - 1];
+        kept[i] = (struct step_segment){segment->pixels, segment->count};
     }
-    calls[target->call_count++] = (struct step_call){kept, count};
+    calls[target->call_count++] = kept;
     return true;
 }
 
@@ -227,6 +226,8 @@ static bool add_steps(void)
             memset(pixels, 0, sizeof pixels);
         }
         step.group = group;
+        step.segments =
+            group < 0 ? NULL : target->calls[target->call_count - 1] + STEPS_LANES * group;
         step.drawing = drawing;
         step.lane = steps_line(step.line)->lane;
         if (step.lane >= 0) {
@@ -278,17 +279,9 @@ void steps_record(struct steps *steps, const uint32_t *first, const uint32_t *en
 void steps_destroy(struct steps *steps)
 {
     for (int i = 0; i < steps->call_count; i++) {
-        free(steps->calls[i].segments);
+        free(steps->calls[i]);
     }
     free(steps->calls);
     free(steps->items);
     *steps = (struct steps){0};
-}
-
-const struct step_segment *steps_segment(const struct steps *steps, const struct step *step,
-                                         int lane)
-{
-    const struct step_call *call = &steps->calls[step->call];
-    const int i = STEPS_LANES * step->group + lane;
-    return &call->segments[i < call->count ? i : call->count - 1];
 }

@@ -10,10 +10,17 @@
 #define STEPS_LANES 4
 #define STEPS_REGISTERS 32 /* rax rcx rdx rbx rsp rbp rsi rdi, r8 to r15; xmm0 to 15 */
 
+/* What a lane draws: `count` pixels from `pixels` on. */
+struct step_segment {
+    uint32_t *pixels;
+    int count;
+};
+
 struct step {
     int line;     /* of stage5_asm/span.S */
     int call;     /* of the routine, counted from 0 */
     int group;    /* of four segments, counted from 0 in each call */
+    const struct step_segment *segments; /* of the group's lanes, without one as the lane before */
     bool drawing; /* its pixels; before that, where its segments start and how they step */
     int reg;      /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
     int lane, pixel; /* a store into the frame: the lane's pixel, counted from 0; else lane is -1 */
@@ -25,20 +32,9 @@ struct step {
     } value;
 };
 
-/* What a lane draws: `count` pixels from `pixels` on. Lanes without a segment repeat the last. */
-struct step_segment {
-    uint32_t *pixels;
-    int count;
-};
-
-struct step_call {
-    struct step_segment *segments;
-    int count;
-};
-
 struct steps {
     struct step *items;
-    struct step_call *calls;
+    struct step_segment **calls; /* their segments, and as many more as fill a group */
     int count, call_count;
     bool no_memory; /* some are missing */
 };
@@ -62,9 +58,5 @@ struct step_line {
 
 /* Counted from 1; NULL beyond its end. */
 const struct step_line *steps_line(int line);
-
-/* The segment that a lane of a group draws. */
-const struct step_segment *steps_segment(const struct steps *steps, const struct step *step,
-                                         int lane);
 
 #endif

@@ -25,21 +25,13 @@ bool trace_available(const struct stage *stage, const char *option, struct error
     return error_set(error, "%s %s: not traceable: only stages 1 to 5 are", option, stage->name);
 }
 
-/* Every texel is its index + 1: a frame drawn with these says which texel a pixel got, or 0. */
-static void number_texels(struct image *texture)
-{
-    for (uint32_t i = 0; i < (uint32_t)texture->width * (uint32_t)texture->height; i++) {
-        texture->pixels[i] = i + 1;
-    }
-}
-
 /* The stage draws twice: first to count the events, then to keep them. */
-static bool record(struct trace *trace, const struct image *texture)
+static bool record(struct trace *trace)
 {
     for (int pass = 0; pass < 2; pass++) {
         trace_recorder = (struct trace_recorder){trace->events, trace->event_count, 0, NULL};
         for (int i = 0; i < trace->piece_count; i++) {
-            trace->stage->traced(&trace->frame, texture, trace->clipped[i]);
+            trace->stage->traced(&trace->frame, &trace->texture, trace->clipped[i]);
         }
         trace->event_count = trace_recorder.count;
         if (pass == 0) {
@@ -50,7 +42,7 @@ static bool record(struct trace *trace, const struct image *texture)
         }
     }
     for (int i = 0; i < trace->piece_count; i++) {
-        exact_draw_triangle(&trace->exact_frame, texture, trace->clipped[i]);
+        exact_draw_triangle(&trace->exact_frame, &trace->texture, trace->clipped[i]);
     }
     return true;
 }
@@ -78,37 +70,30 @@ static bool clip(struct trace *trace, const struct triangle *triangle, int width
 bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
                     const struct image *texture, int width, int height, struct trace *trace)
 {
-    struct image numbers = {0};
-
     assert(stage->traced);
-    *trace = (struct trace){.stage = stage, .number = stage->digit[0] - '1', .row = TRACE_ALL_ROWS,
-                            .texture = {texture->width, texture->height, texture->width, NULL}};
-    bool done = clip(trace, triangle, width, height) &&
-                image_create(&trace->frame, width, height) &&
-                image_create(&trace->exact_frame, width, height) &&
-                image_create(&numbers, texture->width, texture->height);
-    if (done) {
-        number_texels(&numbers);
-        done = record(trace, &numbers);
-    }
-    image_destroy(&numbers);
-    if (!done) {
+    *trace = (struct trace){.stage = stage, .number = stage->digit[0] - '1',
+                            .row = TRACE_ALL_ROWS};
+    if (!clip(trace, triangle, width, height) || !image_create(&trace->frame, width, height) ||
+        !image_create(&trace->exact_frame, width, height) ||
+        !image_create(&trace->texture, texture->width, texture->height)) {
         trace_destroy(trace);
+        return false;
     }
-    return done;
+    for (uint32_t i = 0; i < (uint32_t)texture->width * (uint32_t)texture->height; i++) {
+        trace->texture.pixels[i] = i + 1;
+    }
+    if (!record(trace)) {
+        trace_destroy(trace);
+        return false;
+    }
+    return true;
 }
 
 bool trace_steps(struct trace *trace)
 {
-    struct image numbers = {0};
-
     if (strcmp(trace->stage->name, "stage5_asm") != 0) {
         return true;
     }
-    if (!image_create(&numbers, trace->texture.width, trace->texture.height)) {
-        return false;
-    }
-    number_texels(&numbers);
     const uint32_t *pixels = trace->frame.pixels;
     const int first_row = trace->row == TRACE_ALL_ROWS ? 0 : trace->row;
     const int rows = trace->row == TRACE_ALL_ROWS ? trace->frame.height : 1;
@@ -116,10 +101,9 @@ bool trace_steps(struct trace *trace)
     steps_record(&trace->steps, pixels + first_row * trace->frame.stride,
                  pixels + (first_row + rows) * trace->frame.stride);
     for (int i = 0; i < trace->piece_count; i++) {
-        trace->stage->traced(&trace->frame, &numbers, trace->clipped[i]);
+        trace->stage->traced(&trace->frame, &trace->texture, trace->clipped[i]);
     }
     steps_record(NULL, NULL, NULL);
-    image_destroy(&numbers);
     return !trace->steps.no_memory;
 }
 
@@ -208,6 +192,7 @@ void trace_destroy(struct trace *trace)
 {
     image_destroy(&trace->frame);
     image_destroy(&trace->exact_frame);
+    image_destroy(&trace->texture);
     free(trace->events);
     steps_destroy(&trace->steps);
     *trace = (struct trace){0};

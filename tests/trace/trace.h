@@ -25,8 +25,8 @@ struct trace {
     struct trace_event *events;
     int event_count;
     struct steps steps; /* stage 5, after trace_steps() */
-    struct image frame, exact_frame; /* each pixel its texel's index + 1, or 0 */
-    struct image texture;            /* no pixels: its size */
+    struct image texture;            /* each texel its index + 1 */
+    struct image frame, exact_frame; /* drawn with it: where a pixel's texel lies; or 0 */
 };
 
 /* The exact answer at a pixel of the stage's, for the clipped vertices as they are. */

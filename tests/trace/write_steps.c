@@ -140,7 +140,7 @@ static void lane_text(const struct trace *trace, const struct step *step, enum f
 /* Where a store goes; false where it goes to the dummy buffer. */
 static bool store_target(const struct trace *trace, const struct step *step, int *x, int *y)
 {
-    const struct step_segment *segment = steps_segment(&trace->steps, step, step->lane);
+    const struct step_segment *segment = &step->segments[step->lane];
     return step->pixel < segment->count &&
            pixel_at(trace, segment->pixels + step->pixel, x, y);
 }
@@ -191,7 +191,7 @@ static bool is_in_row(const struct trace *trace, const struct step *step)
     int x, y;
 
     for (int i = 0; i < STEPS_LANES && step->group >= 0; i++) {
-        if (pixel_at(trace, steps_segment(&trace->steps, step, i)->pixels, &x, &y) &&
+        if (pixel_at(trace, step->segments[i].pixels, &x, &y) &&
             (trace->row == TRACE_ALL_ROWS || trace->row == y)) {
             return true;
         }
@@ -206,7 +206,7 @@ static void print_group(FILE *file, const struct trace *trace, const struct step
             STEPS_LANES * step->group, STEPS_LANES * step->group + 3,
             step->drawing ? "their pixels" : "where they start, and how they step");
     for (int i = 0; i < STEPS_LANES; i++) {
-        const struct step_segment *segment = steps_segment(&trace->steps, step, i);
+        const struct step_segment *segment = &step->segments[i];
         char text[32];
         int x, y;
         pixel_at(trace, segment->pixels, &x, &y);

@@ -21,9 +21,8 @@ static int stored(const struct trace *trace, int texels[WIDTH * HEIGHT])
         if (step->lane < 0) {
             continue;
         }
-        const struct step_segment *segment = steps_segment(&trace->steps, step, step->lane);
-        const int first = STEPS_LANES * step->group;
-        const bool repeats = first + step->lane >= trace->steps.calls[step->call].count;
+        const struct step_segment *segment = &step->segments[step->lane];
+        const bool repeats = step->lane > 0 && segment->pixels == segment[-1].pixels;
         if (step->pixel < segment->count && !repeats) {
             int *texel = &texels[segment->pixels + step->pixel - trace->frame.pixels];
             twice += *texel != 0;
