@@ -1,4 +1,5 @@
 #include <math.h>
+#include "tests/files/csv.h"
 #include "tests/files/file.h"
 #include "tests/bench/bench.h"
 #include "tests/bench/machine.h"

@@ -7,25 +7,19 @@
 #define TEXELS ((size_t)TEXTURE_SIDE * TEXTURE_SIDE) /* of one texture */
 
 /* Draws the scene with textures whose texels are their own indices. */
-static bool draw_indices(struct image *index, const struct source *source)
+static void draw_indices(struct lookup *lookup, const struct source *source)
 {
-    struct image textures[TEXTURE_COUNT] = {{0}};
-    bool made = true;
+    struct source numbered = *source; /* for source_draw alone: the triangles stay the source's */
 
-    for (uint32_t id = 0; made && id < TEXTURE_COUNT; id++) {
-        made = image_create(&textures[id], TEXTURE_SIDE, TEXTURE_SIDE);
-        for (uint32_t i = 0; made && i < TEXELS; i++) {
-            textures[id].pixels[i] = 1 + id * (uint32_t)TEXELS + i;
-        }
+    numbered.chosen.pixels = NULL;
+    for (uint32_t i = 0; i <= TEXTURE_COUNT * TEXELS; i++) {
+        lookup->texels[i] = i;
     }
-    for (size_t i = 0; made && i < source->triangles.count; i++) {
-        const struct triangle *triangle = &source->triangles.items[i];
-        exact_draw_triangle(index, &textures[triangle->texture], triangle->v);
+    for (size_t id = 0; id < TEXTURE_COUNT; id++) {
+        numbered.textures[id] = (struct image){TEXTURE_SIDE, TEXTURE_SIDE, TEXTURE_SIDE,
+                                               lookup->texels + 1 + id * TEXELS};
     }
-    for (int id = 0; id < TEXTURE_COUNT; id++) {
-        image_destroy(&textures[id]);
-    }
-    return made;
+    source_draw(&numbered, exact_draw_triangle, NULL, &lookup->index);
 }
 
 /* Finds the runs; with `runs` NULL only counts them. */
@@ -54,12 +48,11 @@ bool lookup_create(struct lookup *lookup, const struct source *source)
 {
     *lookup = (struct lookup){.texels = malloc((1 + TEXTURE_COUNT * TEXELS) * sizeof(uint32_t))};
     if (!lookup->texels ||
-        !image_create(&lookup->index, source->size.width, source->size.height) ||
-        !draw_indices(&lookup->index, source)) {
+        !image_create(&lookup->index, source->size.width, source->size.height)) {
         lookup_destroy(lookup);
         return false;
     }
-    lookup->texels[0] = 0;
+    draw_indices(lookup, source);
     for (size_t id = 0; id < TEXTURE_COUNT; id++) {
         memcpy(lookup->texels + 1 + id * TEXELS, source->textures[id].pixels,
                TEXELS * sizeof(uint32_t));

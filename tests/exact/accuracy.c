@@ -3,14 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "tests/exact/jitter.h"
-
-void csv_print_number(FILE *file, int decimals, double number)
-{
-    fputc(',', file);
-    if (isfinite(number)) {
-        fprintf(file, "%.*f", decimals, number);
-    }
-}
+#include "tests/files/csv.h"
 
 void accuracy_print_csv(FILE *file, const struct stage *stage, const struct source *source,
                         const struct accuracy *a)

@@ -64,7 +64,4 @@ bool accuracy_measure(struct source *source, const struct stage *const chosen[],
 void accuracy_print_csv(FILE *file, const struct stage *stage, const struct source *source,
                         const struct accuracy *accuracy);
 
-/* A column more; empty where it is not finite. */
-void csv_print_number(FILE *file, int decimals, double number);
-
 #endif

@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -161,4 +160,12 @@ bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range
 int csv_line(const struct csv *csv, size_t row)
 {
     return csv->header_line + 1 + (int)row;
+}
+
+void csv_print_number(FILE *file, int decimals, double number)
+{
+    fputc(',', file);
+    if (isfinite(number)) {
+        fprintf(file, "%.*f", decimals, number);
+    }
 }

@@ -1,9 +1,10 @@
-/* A reader of the project's own CSV files: lines that start with # above the header, a header line,
+/* The project's own CSV files: lines that start with # above the header, a header line,
  * then rows. Fields hold no quotes and no commas. */
 #ifndef TESTS_CSV_H
 #define TESTS_CSV_H
 
 #include <stddef.h>
+#include <stdio.h>
 #include "tests/files/error.h"
 
 struct csv {
@@ -47,5 +48,8 @@ bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range
 
 /* The line that a row stands on, counted from 1. */
 int csv_line(const struct csv *csv, size_t row);
+
+/* Writes a comma and a number behind it; none where it is not finite. */
+void csv_print_number(FILE *file, int decimals, double number);
 
 #endif

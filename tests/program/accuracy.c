@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "tests/files/csv.h"
 #include "tests/files/file.h"
 #include "tests/exact/accuracy.h"
 #include "tests/program/commands.h"
