@@ -142,7 +142,7 @@ static bool judge_scene(struct meter *meter, struct judge *judge, struct bench_r
     for (int i = 0; i < count; i++) {
         chosen[i] = rows[i].stage;
     }
-    if (!accuracy_frames(meter, &rows->source->triangles, chosen, count, 0, accuracy)) {
+    if (!accuracy_frames(meter, &rows->source->triangles, chosen, count, accuracy)) {
         return false;
     }
     for (int i = 0; i < count; i++) {

@@ -105,15 +105,14 @@ static void measure_positions(const struct meter *meter, bool truncates, int sca
 }
 
 bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
-                     const struct stage *const chosen[], int count, int grid,
-                     struct accuracy accuracy[])
+                     const struct stage *const chosen[], int count, struct accuracy accuracy[])
 {
     const int scale = ruler_scale(list);
 
     if (!meter_begin(meter, list)) {
         return false;
     }
-    meter_exact(meter, list, grid, 1);
+    meter_exact(meter, list, 1);
     for (int i = 0; i < count; i++) {
         accuracy[i] = (struct accuracy){
             .triangles = list->count, .jitter_rms = NAN, .jitter_floor = NAN};
@@ -122,7 +121,7 @@ bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
         measure_coverage(meter, &accuracy[i]);
         measure_texels(meter, &accuracy[i]);
     }
-    meter_exact(meter, list, grid, scale);
+    meter_exact(meter, list, scale);
     for (int i = 0; i < count; i++) {
         meter_draw_surfaces(meter, list, chosen[i]->draw);
         meter_draw(meter, list, chosen[i]->draw, &meter->ruler, scale);
@@ -132,9 +131,9 @@ bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
 }
 
 bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
-                    const struct stage *stage, int grid, struct accuracy *accuracy)
+                    const struct stage *stage, struct accuracy *accuracy)
 {
-    return accuracy_frames(meter, list, &stage, 1, grid, accuracy);
+    return accuracy_frames(meter, list, &stage, 1, accuracy);
 }
 
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
@@ -147,7 +146,7 @@ bool accuracy_measure(struct source *source, const struct stage *const chosen[],
     bool done = memory &&
                 jitter_measure(&meter, source, chosen, count, jitter, NULL, progress, error);
 
-    if (!memory || (done && !accuracy_frames(&meter, &source->triangles, chosen, count, 0,
+    if (!memory || (done && !accuracy_frames(&meter, &source->triangles, chosen, count,
                                              accuracy))) {
         done = error_set(error, "accuracy: no memory");
     }

@@ -38,16 +38,14 @@ struct accuracy {
     double jitter_rms, jitter_floor; /* texels; see tests/exact/jitter.h; NAN where not measured */
 };
 
-/* Measures `count` stages' frames of clipped triangles against the exact answer for vertices
- * rounded to `grid` positions a pixel, 1 or 16; 0: as they are. Jitter is left out (NAN). False
- * when there is no memory. */
+/* Measures `count` stages' frames of clipped triangles against the exact answer. Jitter is left out
+ * (NAN). False when there is no memory. */
 bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
-                     const struct stage *const chosen[], int count, int grid,
-                     struct accuracy accuracy[]);
+                     const struct stage *const chosen[], int count, struct accuracy accuracy[]);
 
 /* The same for one stage. */
 bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
-                    const struct stage *stage, int grid, struct accuracy *accuracy);
+                    const struct stage *stage, struct accuracy *accuracy);
 
 /* Measures `count` stages on one source, jitter included, against the vertices as given; the
  * shifted frames are made once for all stages. `progress`, unless NULL, is called after each of

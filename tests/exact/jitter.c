@@ -64,7 +64,7 @@ static bool measure_frames(struct meter *meter, struct source *source,
             return error_set(error, "jitter: no memory");
         }
         const int scale = ruler_scale(&source->triangles);
-        meter_exact(meter, &source->triangles, 0, scale);
+        meter_exact(meter, &source->triangles, scale);
         for (int i = 0; i <= count; i++) {
             jitter_frame(&jitter[i], frame + 1, meter, &source->triangles,
                          i < count ? chosen[i] : NULL, scale);

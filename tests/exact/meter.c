@@ -126,16 +126,12 @@ static void clear(struct image *image)
 }
 
 void places_fill(struct place *places, struct image *surfaces, const uint32_t *surface_of,
-                 const struct triangle_list *list, int grid, int scale)
+                 const struct triangle_list *list, int scale)
 {
     clear(surfaces);
     for (size_t i = 0; i < list->count; i++) {
-        struct vertex v[3];
-        for (int k = 0; k < 3; k++) {
-            v[k] = exact_round(&list->items[i].v[k], grid);
-        }
         struct exact_triangle triangle;
-        if (!exact_setup(&triangle, v)) {
+        if (!exact_setup(&triangle, list->items[i].v)) {
             continue;
         }
         for (int y = triangle.first_row > 0 ? triangle.first_row : 0;
@@ -145,9 +141,9 @@ void places_fill(struct place *places, struct image *surfaces, const uint32_t *s
     }
 }
 
-void meter_exact(struct meter *meter, const struct triangle_list *list, int grid, int scale)
+void meter_exact(struct meter *meter, const struct triangle_list *list, int scale)
 {
-    places_fill(meter->exact, &meter->exact_surfaces, meter->surface_of, list, grid, scale);
+    places_fill(meter->exact, &meter->exact_surfaces, meter->surface_of, list, scale);
 }
 
 void meter_draw(struct meter *meter, const struct triangle_list *list, draw_triangle *draw,

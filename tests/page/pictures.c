@@ -53,7 +53,7 @@ bool report_accuracy(FILE *out, struct error *error)
         for (const struct stage *stage = stages; done && stage->name; stage++) {
             struct accuracy accuracy;
             if (number_of(stage)) {
-                done = accuracy_frame(&meter, &source.triangles, stage, 0, &accuracy);
+                done = accuracy_frame(&meter, &source.triangles, stage, &accuracy);
                 if (done) {
                     print_row(out, stage, &accuracy);
                 }

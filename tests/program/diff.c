@@ -54,7 +54,7 @@ static bool frames_draw(struct frames *frames, const struct source *source,
     if (!frames->places || !image_create(&frames->exact, width, height)) {
         return false;
     }
-    places_fill(frames->places, &frames->exact, NULL, &source->triangles, 0, 1);
+    places_fill(frames->places, &frames->exact, NULL, &source->triangles, 1);
     for (int i = 0; i < 2; i++) {
         if (!image_create(&frames->drawn[i], width, height) ||
             !image_create(&frames->texels[i], width, height)) {

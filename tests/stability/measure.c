@@ -174,7 +174,7 @@ static bool measure_neighbours(struct meter *meter, const struct source *source,
     if (!meter_begin(meter, &source->triangles)) {
         return false;
     }
-    meter_exact(meter, &source->triangles, 0, 1);
+    meter_exact(meter, &source->triangles, 1);
     meter_draw_surfaces(meter, &source->triangles, stage->draw);
     meter_draw(meter, &source->triangles, stage->draw, &meter->coordinates, 1);
     for (size_t pixel = width + 1; pixel < meter_pixels(meter); pixel++) {
@@ -212,7 +212,7 @@ static bool measure_with(struct meter *meter, const struct measure *measure, str
         } else if (measure->kind == BY_NEIGHBOURS) {
             memory = measure_neighbours(meter, source, stage, &values[i]);
         } else {
-            memory = accuracy_frame(meter, &source->triangles, stage, 0, &accuracy);
+            memory = accuracy_frame(meter, &source->triangles, stage, &accuracy);
             values[i] = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset)
                                                       : NAN;
         }

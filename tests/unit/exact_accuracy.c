@@ -80,16 +80,6 @@ static void draw_near_moved(struct image *frame, const struct image *texture,
     (v[0].z < 2 ? draw_moved : exact_draw_triangle)(frame, texture, v);
 }
 
-/* Vertices rounded as stages 3 to 5 do, nothing else. */
-static void draw_rounded(struct image *frame, const struct image *texture,
-                         const struct vertex v[3])
-{
-    const struct vertex rounded[3] = {exact_round(&v[0], 16), exact_round(&v[1], 16),
-                                      exact_round(&v[2], 16)};
-
-    exact_draw_triangle(frame, texture, rounded);
-}
-
 /* Pixels low..high-1 both ways, u = u0 + du x, v = v0 + dv y. */
 static void add_square(struct triangle_list *list, int low, int high, float z, float u0, float du,
                        float v0, float dv)
@@ -106,7 +96,7 @@ static void add_square(struct triangle_list *list, int low, int high, float z, f
 }
 
 /* Measures the list and frees it. */
-static struct accuracy measure(struct triangle_list *list, draw_triangle *draw, int grid)
+static struct accuracy measure(struct triangle_list *list, draw_triangle *draw)
 {
     const struct stage stage = {
         .name = "fake", .draw = draw, .segment_length = 1, .truncates = draw == draw_cut};
@@ -114,7 +104,7 @@ static struct accuracy measure(struct triangle_list *list, draw_triangle *draw, 
     struct meter meter = {0};
 
     check(meter_create(&meter, SIDE, SIDE) &&
-              accuracy_frame(&meter, list, &stage, grid, &accuracy),
+              accuracy_frame(&meter, list, &stage, &accuracy),
           "there is memory to measure", "none");
     meter_destroy(&meter);
     triangle_list_destroy(list);
@@ -126,7 +116,7 @@ static struct accuracy measure_square(draw_triangle *draw, float u0)
     struct triangle_list list = {0};
 
     add_square(&list, LOW, HIGH, 1, u0, SLOPE_U, u0, SLOPE_V);
-    return measure(&list, draw, 0);
+    return measure(&list, draw);
 }
 
 static struct accuracy measure_constant_u(draw_triangle *draw, float u)
@@ -134,7 +124,7 @@ static struct accuracy measure_constant_u(draw_triangle *draw, float u)
     struct triangle_list list = {0};
 
     add_square(&list, LOW, HIGH, 1, u, 0, 20, SLOPE_V);
-    return measure(&list, draw, 0);
+    return measure(&list, draw);
 }
 
 static bool is_near(double value, double expected, double tolerance)
@@ -149,7 +139,7 @@ static void test_exact_itself(void)
     for (int scene = 0; scene < SCENE_COUNT; scene++) {
         struct triangle_list list = {0};
         scene_build((enum scene_id)scene, 0, &view, &list);
-        const struct accuracy a = measure(&list, exact_draw_triangle, 0);
+        const struct accuracy a = measure(&list, exact_draw_triangle);
         check(a.pixels > 0 && a.wrong_texel_pct == 0 && a.bias_u == 0 && a.bias_v == 0 &&
                   a.max_texel == 0 && a.position_max < FLOAT_SHARE && a.coverage_missing == 0 &&
                   a.coverage_extra == 0,
@@ -234,7 +224,7 @@ static void test_borders(void)
     /* u comes up to 255.5 by a 60th of 2^-16 a pixel: 4 columns lie within 1e-6 of it. */
     struct triangle_list list = {0};
     add_square(&list, LOW, HIGH, 1, 255.5f - 0x1p-16f, 0x1p-16f / (HIGH - LOW), 20, SLOPE_V);
-    const struct accuracy a = measure(&list, draw_loose, 0);
+    const struct accuracy a = measure(&list, draw_loose);
     check(is_near(a.wrong_texel_pct, 100.0 * 4 / (HIGH - LOW), 1e-9),
           "within 1e-6 of the last border the texel beyond is wrong", "%.4f %% wrong",
           a.wrong_texel_pct);
@@ -248,36 +238,11 @@ static void test_silhouette(void)
 
     add_square(&list, 0, SIDE, 4, 10, 0, 10, 0);
     add_square(&list, 20, 40, 1, 100, 0, 100, 0);
-    const struct accuracy a = measure(&list, draw_near_moved, 0);
+    const struct accuracy a = measure(&list, draw_near_moved);
     check(a.max_texel == 0 && a.coverage_missing == changed && a.coverage_extra == changed,
           "another surface is missing and extra coverage, not a wrong texel",
           "at most %d off, missing %zu, extra %zu, expected %zu", a.max_texel, a.coverage_missing,
           a.coverage_extra, changed);
-}
-
-static void test_grid(void)
-{
-    struct triangle triangle = {
-        {{3.03f, 2.04f, 1, 20, 20}, {61.41f, 9.09f, 1, 40, 30}, {17.77f, 58.22f, 1, 30, 50}},
-        TEXTURE_COORD};
-    struct accuracy against[2]; /* the vertices as given, and rounded to 1/16 */
-
-    for (int k = 0; k < 3; k++) {
-        triangle.v[k].x = round_to_grid(triangle.v[k].x);
-        triangle.v[k].y = round_to_grid(triangle.v[k].y);
-    }
-    for (int i = 0; i < 2; i++) {
-        struct triangle_list list = {0};
-        triangle_list_add(&list, &triangle);
-        against[i] = measure(&list, draw_rounded, 16 * i);
-    }
-    check(against[1].wrong_texel_pct == 0 && against[1].position_max < FLOAT_SHARE &&
-              against[1].coverage_missing + against[1].coverage_extra == 0,
-          "vertices rounded to 1/16 are exact on that grid", "position_max %.6f",
-          against[1].position_max);
-    check(against[0].position_max > 0.001 && against[0].position_max < 0.05,
-          "against the vertices as given they are not", "position_max %.6f",
-          against[0].position_max);
 }
 
 static void test_surfaces(void)
@@ -337,7 +302,6 @@ void test_exact_accuracy(void)
     test_known_error();
     test_borders();
     test_silhouette();
-    test_grid();
     test_surfaces();
     test_one_place();
 }

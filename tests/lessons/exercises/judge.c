@@ -147,7 +147,7 @@ static struct accuracy accuracy_of(const struct subject *subject, const char *na
 
     if (!open_source(&source, name) ||
         !meter_create(&meter, source.size.width, source.size.height) ||
-        !accuracy_frame(&meter, &source.triangles, &subject->own, 0, &accuracy)) {
+        !accuracy_frame(&meter, &source.triangles, &subject->own, &accuracy)) {
         fprintf(stderr, "judge: no memory\n");
         exit(2);
     }

@@ -204,7 +204,7 @@ EXPORT(page_measurable) bool page_measurable(void)
     if (!meter_begin(&meter, &list)) {
         return false;
     }
-    meter_exact(&meter, &list, 0, 1);
+    meter_exact(&meter, &list, 1);
     return true;
 }
 
