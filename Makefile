@@ -145,8 +145,8 @@ $(BUILD)/page/stages.wasm.base64: $(MODULE) $(shell sh tests/page/wasm/build.sh 
 	@mkdir -p $(@D)
 	$(call say,WASM) sh tests/page/wasm/build.sh choose $@
 
-$(BUILD)/page.c: tests/page/embed.sh $(sort $(wildcard tests/page/*.html tests/page/*.css \
-		tests/page/*.js)) $(wildcard stage[1-4]_*/rasterize.c) $(BUILD)/page/stages.wasm.base64
+$(BUILD)/page.c: tests/page/embed.sh tests/page/page.html $(wildcard tests/page/*.css \
+		tests/page/*.js stage[1-4]_*/rasterize.c stage5_asm/span.S) $(BUILD)/page/stages.wasm.base64
 	$(call say,PAGE) sh $^ $(BUILD)/page/module-note.html > $@.new && mv $@.new $@
 
 $(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags

@@ -1,28 +1,32 @@
 /* The cases in which a method fails. C writes each as an article with its .tri file; here their
  * frames are drawn, once one is opened, and they open in the stepper. */
 
-class Cases {
+class Cases extends Part {
   constructor(stages) {
+    const articles = Array.from(document.querySelectorAll(".case"));
+    super("cases", { case: oneOf("", articles.map(({ dataset: { name } }) => [name, name])) });
     this.stages = stages;
-    this.all = new Map();
-    for (const article of document.querySelectorAll(".case")) {
-      this.all.set(article.dataset.name, this.parse(article));
+    this.all = new Map(articles.map((article) => [article.dataset.name, this.parse(article)]));
+    for (const article of articles) {
       article.addEventListener("toggle", () => {
         if (article.open) {
-          this.draw(article);
-          this.opened = article.dataset.name;
-          Address.write("cases");
+          this.drawCase(article);
+          this.set({ case: article.dataset.name });
         }
       });
     }
-    Address.part("cases", () => ({ case: this.opened || "" }), (wanted) => {
-      const article = byId(`case-${wanted.case}`);
-      if (article) {
-        article.open = true;
-        requestAnimationFrame(() => article.scrollIntoView());
-      }
-    });
   }
+
+  open(wanted) {
+    super.open(wanted);
+    const article = byId(`case-${this.state.case}`);
+    if (article) {
+      article.open = true;
+      requestAnimationFrame(() => article.scrollIntoView());
+    }
+  }
+
+  draw() {} /* a case is drawn once it is opened */
 
   /* A .tri file's triangles: fifteen numbers each, comments left out. */
   parse(article) {
@@ -41,7 +45,7 @@ class Cases {
     return this.all.get(name);
   }
 
-  draw(article) {
+  drawCase(article) {
     const { size, triangles } = this.get(article.dataset.name), { stages } = this;
     const place = article.querySelector(".views");
     if (place.childElementCount || !triangles.length) {
@@ -50,15 +54,13 @@ class Cases {
     stages.open(...size);
     stages.segmentLength(16);
     stages.give(triangles.slice(0, TRIANGLES_MAX));
-    const measured = stages.measurable(), window = fit(triangles, size);
+    const measured = stages.measurable();
     for (const n of [...STEPPED, EXACT]) {
       const result = measured ? stages.measure(n) : { frame: stages.draw(n), errors: null };
       const canvas = element("canvas", { role: "img", "aria-label": `The case in ${n}` });
       place.append(element("figure", {}, canvas, element("figcaption", {},
         n === EXACT ? "Exact" : `Stage ${n}` + (measured ? `: ${verdict(result)}` : ""))));
-      const cell = Math.min((canvas.clientWidth || 200) / window.w, 240 / window.h, 24);
-      const [c] = context(canvas, Math.ceil(cell * window.h));
-      drawSmall(c, result, window, cell, size[0]);
+      drawSmall(canvas, result, triangles, size, 240);
     }
     const button = element("button", { type: "button" }, "Open in the stepper");
     button.addEventListener("click", () => {

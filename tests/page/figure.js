@@ -30,9 +30,7 @@ class Figure {
     this.handles = Array.from(document.querySelectorAll(".handle"));
     this.moved = moved;
     this.canvas.addEventListener("click", (event) => {
-      const box = this.canvas.getBoundingClientRect();
-      const [x, y] = this.toFrame(event.clientX - box.left, event.clientY - box.top);
-      picked(Math.round(x), Math.round(y));
+      picked(...this.toFrame(event).map(Math.round));
     });
     this.canvas.addEventListener("keydown", keyed);
     this.handles.forEach((handle, i) => this.listen(handle, i));
@@ -45,33 +43,29 @@ class Figure {
     });
     handle.addEventListener("pointermove", (event) => {
       if (this.dragged === i) {
-        const box = this.canvas.getBoundingClientRect();
-        this.moved(i, ...this.toFrame(event.clientX - box.left, event.clientY - box.top));
+        this.moved(i, ...this.toFrame(event));
       }
     });
-    for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
-      handle.addEventListener(name, () => { this.dragged = null; });
-    }
+    handle.addEventListener("lostpointercapture", () => { this.dragged = null; });
     handle.addEventListener("keydown", (event) => {
       const step = (this.model.snap === 1 ? 1 : 1 / 16) * (event.shiftKey ? 16 : 1);
-      const [dx, dy] = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step],
-        ArrowDown: [0, step] }[event.key] || [0, 0];
-      if (dx || dy) {
-        event.preventDefault();
-        this.moved(i, this.model.given[5 * i] + dx, this.model.given[5 * i + 1] + dy);
+      const way = arrow(event), { x, y } = this.given[i];
+      if (way) {
+        this.moved(i, x + step * way[0], y + step * way[1]);
       }
     });
   }
 
-  /* Between the frame's coordinates, pixel centres at integers, and the canvas's. */
+  /* The frame's coordinates, pixel centres at integers, on the canvas; and a pointer's there. */
   toCanvas(x, y) {
     return [MARGIN + (x - this.window.x + 0.5) * this.cell,
       MARGIN + (y - this.window.y + 0.5) * this.cell];
   }
 
-  toFrame(x, y) {
-    return [(x - MARGIN) / this.cell + this.window.x - 0.5,
-      (y - MARGIN) / this.cell + this.window.y - 0.5];
+  toFrame(event) {
+    const box = this.canvas.getBoundingClientRect(), { x, y } = this.window;
+    return [(event.clientX - box.left - MARGIN) / this.cell + x - 0.5,
+      (event.clientY - box.top - MARGIN) / this.cell + y - 0.5];
   }
 
   /* model: window {x, y, w, h}, width (the frame's), frame, exact, errors (null: not measured),
@@ -91,9 +85,9 @@ class Figure {
     for (const triangle of model.rounded) {
       this.drawOutline(c, triangle, "ink", 2, []);
     }
-    const given = [0, 5, 10].map((i) => [model.given[i], model.given[i + 1]]);
-    this.drawOutline(c, given, "accent", 1.5, [5, 4]);
-    this.placeHandles(given);
+    this.given = cornersOf(model.given, 0);
+    this.drawOutline(c, this.given, "accent", 1.5, [5, 4]);
+    this.given.forEach((vertex, i) => this.placeHandle(this.handles[i], vertex, "ABC"[i]));
   }
 
   eachPixel(visit) {
@@ -120,22 +114,16 @@ class Figure {
     c.font = "11px system-ui, sans-serif";
     c.textAlign = "center";
     c.textBaseline = "middle";
-    for (let i = x; i <= x + w; i++) {
-      const [left] = this.toCanvas(i - 0.5, y);
-      if (cell >= 5) {
-        line(c, left, MARGIN, left, MARGIN + h * cell, colour("line"));
-      }
-      if (i < x + w && i % every === 0) {
-        c.fillText(String(i), left + cell / 2, MARGIN - 12);
-      }
-    }
-    for (let j = y; j <= y + h; j++) {
-      const [, top] = this.toCanvas(x, j - 0.5);
-      if (cell >= 5) {
-        line(c, MARGIN, top, MARGIN + w * cell, top, colour("line"));
-      }
-      if (j < y + h && j % every === 0) {
-        c.fillText(String(j), MARGIN - 13, top + cell / 2);
+    for (const [from, count, at, ends] of [
+      [x, w, (t) => [MARGIN + t, MARGIN - 12], (t) => [t, 0, t, h * cell]],
+      [y, h, (t) => [MARGIN - 13, MARGIN + t], (t) => [0, t, w * cell, t]]]) {
+      for (let i = 0; i <= count; i++) {
+        if (cell >= MARKS_FROM) {
+          line(c, ...ends(i * cell).map((t) => t + MARGIN), colour("line"));
+        }
+        if (i < count && (from + i) % every === 0) {
+          c.fillText(String(from + i), ...at((i + 0.5) * cell));
+        }
       }
     }
     c.fillText("x \u2192", MARGIN - 10, MARGIN - 14);
@@ -199,7 +187,7 @@ class Figure {
 
   drawOutline(c, points, name, width, dash) {
     c.beginPath();
-    points.forEach((p) => c.lineTo(...this.toCanvas(...p)));
+    points.forEach((p) => c.lineTo(...this.toCanvas(p.x, p.y)));
     c.closePath();
     c.strokeStyle = colour(name);
     c.lineWidth = width;
@@ -207,16 +195,12 @@ class Figure {
     c.stroke();
   }
 
-  placeHandles(given) {
-    const names = "ABC";
-    this.handles.forEach((handle, i) => {
-      const [x, y] = this.toCanvas(...given[i]);
-      const inside = x >= 0 && y >= 0 && x <= this.canvas.clientWidth &&
-        y <= this.canvas.clientHeight;
-      handle.hidden = !inside;
-      handle.style.transform = `translate(${x}px, ${y}px)`;
-      handle.setAttribute("aria-label", `Vertex ${names[i]}: x ${show(given[i][0])}, y ` +
-        `${show(given[i][1])}. Arrow keys move it.`);
-    });
+  placeHandle(handle, vertex, name) {
+    const [x, y] = this.toCanvas(vertex.x, vertex.y);
+    handle.hidden = !(x >= 0 && y >= 0 && x <= this.canvas.clientWidth &&
+      y <= this.canvas.clientHeight);
+    handle.style.transform = `translate(${x}px, ${y}px)`;
+    handle.setAttribute("aria-label", `Vertex ${name}: x ${show(vertex.x)}, y ` +
+      `${show(vertex.y)}. Arrow keys move it.`);
   }
 }

@@ -20,19 +20,6 @@ static const struct recording {
      {{1, 1, 1, 0, 0}, {9, 3, 2, 24, 0}, {1, 9, 4, 0, 24}}},
 };
 
-/* A string of JSON that may stand in a script element. */
-static void print_string(FILE *out, const char *text)
-{
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\') {
-            fputc('\\', out);
-        }
-        fputs(*text == '<' ? "\\u003c" : (char[]){*text, '\0'}, out);
-    }
-    fputc('"', out);
-}
-
 /* Line, register, meaning, lanes; and of a store its lane and pixel. */
 static void print_step(FILE *out, const struct trace *trace, const struct step *step)
 {
@@ -53,9 +40,7 @@ static void print_recording(FILE *out, const struct trace *trace, const char *na
 {
     const char *separator = "";
 
-    fputs("{\"name\":", out);
-    print_string(out, name);
-    fputs(",\"segments\":[", out);
+    fprintf(out, "{\"name\":\"%s\",\"segments\":[", name);
     for (int lane = 0; lane < STEPS_LANES; lane++) {
         const struct step_segment *segment = &trace->steps.calls[0][lane];
         const int at = (int)(segment->pixels - trace->frame.pixels);
@@ -92,24 +77,10 @@ static bool record(FILE *out, const struct recording *recording, struct error *e
     return done || error_set(error, "report: no memory");
 }
 
-/* The macro that a line is in stands behind it. */
-static void print_source(FILE *out)
-{
-    const struct step_line *line;
-
-    fputs("\"source\":[", out);
-    for (int i = 1; (line = steps_line(i)); i++) {
-        fputs(i > 1 ? ",\n[" : "[", out);
-        print_string(out, line->text);
-        fprintf(out, ",\"%s\"]", line->macro);
-    }
-    fputs("]", out);
-}
-
 bool report_lanes(FILE *out, struct error *error)
 {
     if (steps_missing()) {
-        fprintf(out, "{\"missing\":\"%s\"}", steps_missing());
+        fprintf(out, "{\"missing\":\"%s\"}\n", steps_missing());
         return true;
     }
     fputs("{\"recordings\":[", out);
@@ -119,8 +90,6 @@ bool report_lanes(FILE *out, struct error *error)
             return false;
         }
     }
-    fputs("],", out);
-    print_source(out);
-    fputs("}", out);
+    fputs("]}\n", out);
     return true;
 }

@@ -5,73 +5,71 @@ const LANES = 4, LANE_PIXELS = 16, LANE_HEIGHT = 26;
 const STAGE4_OF = { interpolants: "draw_span", texel_at: "texel_at", line_setup: "line_setup",
   fetch: "draw_segment", segments: "draw_span", "": "draw_span" };
 
-class Lanes {
+class Lanes extends Part {
   constructor() {
-    this.data = JSON.parse(byId("lanes-data").textContent);
-    byId("lanes").hidden = Boolean(this.data.missing);
-    if (this.data.missing) {
-      byId("lanes-missing").textContent = `There is no recording: ${this.data.missing}.`;
+    const { recordings = [], missing } = JSON.parse(byId("lanes-data").textContent);
+    super("assembly", { at: whole(0, 0, 1e6),
+      recording: oneOf(0, recordings.map(({ name }, i) => [i, name])) });
+    this.recordings = recordings;
+    byId("lanes").hidden = Boolean(missing);
+    if (missing) {
+      byId("lanes-missing").textContent = `There is no recording: ${missing}.`;
       return;
     }
-    this.choice = new Choice("lanes-recording",
-      this.data.recordings.map(({ name }, i) => [i, name]), (i) => this.open(i, 0));
-    byId("lanes-source").append(...this.data.source.map(([text], i) =>
-      element("span", { class: "source" }, `${String(i + 1).padStart(3)}   ${text}\n`)));
     this.stage4 = byId("source-4").textContent.split("\n");
-    const go = (id, by) => byId(id).addEventListener("click", () => this.go(by()));
-    go("lanes-back", () => this.at - 1);
-    go("lanes-on", () => this.at + 1);
-    go("lanes-line", () => this.nextLine());
-    go("lanes-pixel", () => this.nextPixel());
-    byId("lanes-slider").addEventListener("input", (event) => this.go(Number(event.target.value)));
-    this.player = new Player("lanes-play", () => this.go(this.at + 1), () => 8);
-    addEventListener("resize", () => this.draw());
-    Address.part("assembly", () => ({ recording: this.recording, at: this.at }),
-      ({ recording, at }) => this.open(Number(recording || 0), Number(at || 0)));
-    this.open(0, 0);
+    this.source = byId("source-5").textContent.split("\n");
+    numberLines(byId("lanes-source"), this.source);
+    let macro = ""; /* that a line is in */
+    this.macros = this.source.map((text) => {
+      const [, begins, ends] = /^ *\.(?:macro +(\w+)|(endm))/.exec(text) || [];
+      const now = macro;
+      macro = begins || (ends ? "" : macro);
+      return now;
+    });
+    this.set({ recording: 0 });
   }
 
-  open(recording, at) {
-    this.recording = clamp(recording, 0, this.data.recordings.length - 1);
-    this.choice.press(this.recording);
-    this.steps = this.data.recordings[this.recording].steps;
-    byId("lanes-slider").max = this.steps.length - 1;
-    this.at = clamp(at, 0, this.steps.length - 1);
-    this.draw();
+  /* Another recording begins at its first step, but where a step is named. */
+  set({ recording = this.state.recording, at = 0 }) {
+    this.steps = (this.recordings[recording] || { steps: [] }).steps;
+    super.set({ recording, at: clamp(at, 0, Math.max(this.steps.length - 1, 0)) });
+  }
+
+  step(way) {
+    this.set({ at: this.state.at + way });
   }
 
   /* False at the end, where playing stops. */
-  go(at) {
-    this.at = clamp(at, 0, this.steps.length - 1);
-    Address.write("assembly");
-    this.draw();
-    return this.at < this.steps.length - 1;
+  next() {
+    this.step(1);
+    return this.state.at < this.steps.length - 1;
   }
 
   macro(i) {
-    return this.data.source[this.steps[i][0] - 1][1];
+    return this.macros[this.steps[i][0] - 1];
   }
 
   /* A macro's call counts as one line. */
-  nextLine() {
-    let i = this.at + 1;
+  line() {
+    let i = this.state.at + 1;
     while (i < this.steps.length - 1 && this.macro(i) && this.macro(i) === this.macro(i - 1) &&
            this.steps[i][0] > this.steps[i - 1][0]) {
       i++;
     }
-    return i;
+    this.set({ at: i });
   }
 
   /* To where all lanes have stored their next pixel. */
-  nextPixel() {
-    const i = this.steps.findIndex((step, k) => k > this.at && step[4] === LANES - 1);
-    return i < 0 ? this.steps.length - 1 : i;
+  pixel() {
+    const i = this.steps.findIndex((step, k) => k > this.state.at && step[4] === LANES - 1);
+    this.set({ at: i < 0 ? this.steps.length - 1 : i });
   }
 
   /* What the registers hold after the step, and which texel each lane has stored where. */
-  state() {
+  held() {
     const registers = new Map(), stored = Array.from({ length: LANES }, () => []);
-    for (const [, register, meaning, lanes, lane, pixel] of this.steps.slice(0, this.at + 1)) {
+    const done = this.steps.slice(0, this.state.at + 1);
+    for (const [, register, meaning, lanes, lane, pixel] of done) {
       if (lane !== undefined) {
         stored[lane][pixel] = lanes[0];
       } else if (register && meaning) {
@@ -81,10 +79,17 @@ class Lanes {
     return { registers, stored };
   }
 
+  showState() {
+    byId("lanes-slider").max = this.steps.length - 1;
+    super.showState();
+  }
+
   draw() {
-    const { registers, stored } = this.state(), step = this.steps[this.at];
-    byId("lanes-slider").value = this.at;
-    byId("lanes-count").textContent = `Instruction ${this.at + 1} of ${this.steps.length}` +
+    if (!this.steps.length) {
+      return;
+    }
+    const { registers, stored } = this.held(), step = this.steps[this.state.at];
+    byId("lanes-count").textContent = `Instruction ${this.state.at + 1} of ${this.steps.length}` +
       (step[2] ? `: ${step[1]}, ${step[2]}` : "");
     this.drawPixels(stored, step);
     this.drawRegisters(registers, step);
@@ -92,7 +97,7 @@ class Lanes {
   }
 
   drawPixels(stored, step) {
-    const { segments } = this.data.recordings[this.recording];
+    const { segments } = this.recordings[this.state.recording];
     const [c, width] = context(byId("lanes-pixels"), LANES * LANE_HEIGHT);
     const label = 118, cell = (width - label) / LANE_PIXELS;
     c.textBaseline = "middle";
@@ -121,23 +126,19 @@ class Lanes {
 
   drawRegisters(registers, [, changed]) {
     const rows = [...registers].sort(([a], [b]) => a.localeCompare(b, "en", { numeric: true }))
-      .map(([name, { meaning, lanes }]) => element("tr", name === changed ? { class: "changed" } : {},
+      .map(([name, { meaning, lanes }]) => element("tr",
+        name === changed ? { class: "changed" } : {},
         element("th", { scope: "row" }, name), element("td", {}, meaning),
         ...Array.from({ length: LANES }, (_, i) => element("td", {},
           /^lane/.test(meaning) ? (meaning[5] === String(i) ? lanes[0] : "") : lanes[i] ?? ""))));
     byId("lanes-registers").replaceChildren(
-      element("thead", {}, element("tr", {}, ...["register", "holds", "lane 0", "lane 1", "lane 2",
-        "lane 3"].map((text) => element("th", { scope: "col" }, text)))),
+      heads("register", "holds", "lane 0", "lane 1", "lane 2", "lane 3"),
       element("tbody", {}, ...rows));
   }
 
   drawSources() {
-    const pre = byId("lanes-source"), line = this.steps[this.at][0];
-    pre.querySelectorAll(".run").forEach((node) => node.classList.remove("run"));
-    const node = pre.children[line - 1];
-    node.classList.add("run");
-    pre.scrollTop = node.offsetTop - pre.clientHeight / 2;
-    const name = STAGE4_OF[this.macro(this.at)] || "draw_span";
+    markLines(byId("lanes-source"), [this.steps[this.state.at][0] - 1]);
+    const name = STAGE4_OF[this.macro(this.state.at)] || "draw_span";
     const from = this.stage4.findIndex((text) => new RegExp(`^static .*\\b${name}\\(`).test(text));
     const to = this.stage4.findIndex((text, i) => i > from && text === "}");
     byId("lanes-stage4").textContent = this.stage4.slice(from, to + 1).join("\n");

@@ -16,14 +16,6 @@ static int number_of(const struct stage *stage)
     return stage->digit ? atoi(stage->digit) : strcmp(stage->name, "coda") == 0 ? 6 : 0;
 }
 
-static bool room_open(struct source *source, struct error *error)
-{
-    const struct options options = {
-        .scene = scene_name(SCENE_ROOM), .frame = FRAME, .size = {WIDTH, HEIGHT}};
-
-    return source_open(source, &options, error);
-}
-
 static void print_row(FILE *out, const struct stage *stage, const struct accuracy *a)
 {
     fprintf(out, "<tr><th scope=\"row\">%s</th>", stage->name);
@@ -39,38 +31,25 @@ static void print_row(FILE *out, const struct stage *stage, const struct accurac
     "<th scope=\"col\">bias of v</th><th scope=\"col\">largest error, texels</th>" \
     "<th scope=\"col\">pixels missing</th><th scope=\"col\">too many</th></tr></thead><tbody>\n"
 
-bool report_accuracy(FILE *out, struct error *error)
+static bool print_accuracy(FILE *out, const struct source *source, struct meter *meter)
 {
-    struct source source;
-    struct meter meter;
+    bool done = true;
 
-    if (!room_open(&source, error)) {
-        return false;
-    }
-    bool done = meter_create(&meter, WIDTH, HEIGHT);
-    if (done) {
-        fprintf(out, HEAD, FRAME, WIDTH, HEIGHT);
-        for (const struct stage *stage = stages; done && stage->name; stage++) {
-            struct accuracy accuracy;
-            if (number_of(stage)) {
-                done = accuracy_frame(&meter, &source.triangles, stage, &accuracy);
-                if (done) {
-                    print_row(out, stage, &accuracy);
-                }
+    fprintf(out, HEAD, FRAME, WIDTH, HEIGHT);
+    for (const struct stage *stage = stages; done && stage->name; stage++) {
+        struct accuracy accuracy;
+        if (number_of(stage)) {
+            done = accuracy_frame(meter, &source->triangles, stage, &accuracy);
+            if (done) {
+                print_row(out, stage, &accuracy);
             }
         }
-        fprintf(out, "</tbody></table></div>\n<p class=\"hint\">The README's percentages are of "
-                "640x480 pixels and frame 0. In a smaller frame a rounded vertex is off by more of "
-                "the picture, and a pixel spans more texels, so that the figures here are larger. "
-                "Stages 1 and 2 truncate u and v: of two axes, three pixels in four lose "
-                "something. That is so by our convention that a texel's centre lies at whole u, v; "
-                "moved by half a texel, truncating is rounding.</p>\n");
-        meter_destroy(&meter);
     }
-    source_close(&source);
-    return done || error_set(error, "report: no memory for the accuracy");
+    fprintf(out, "</tbody></table></div>\n");
+    return done;
 }
 
+/* With each triangle's own texture, or, for the page's script, hidden, with this one. */
 static bool print_picture(FILE *out, const struct source *source, int number, const char *name,
                           draw_triangle *draw, const struct image *texture, struct image *frame)
 {
@@ -86,27 +65,38 @@ static bool print_picture(FILE *out, const struct source *source, int number, co
     return done;
 }
 
-bool report_pictures(FILE *out, struct error *error)
+static bool print_pictures(FILE *out, const struct source *source, struct image *frame)
 {
-    struct source source;
-    struct image frame;
+    bool done = true;
 
-    if (!room_open(&source, error)) {
+    fprintf(out, "<div id=\"picture-files\">\n");
+    for (const struct stage *stage = stages; done && stage->name; stage++) {
+        const int number = number_of(stage);
+        done = !number ||
+               (print_picture(out, source, number, stage->name, stage->draw, NULL, frame) &&
+                (number < 5 || print_picture(out, source, number, stage->name, stage->draw,
+                                             &source->textures[TEXTURE_COORD], frame)));
+    }
+    done = done && print_picture(out, source, 7, "the exact answer", exact_draw_triangle, NULL,
+                                 frame);
+    fprintf(out, "</div>\n");
+    return done;
+}
+
+bool report_room(FILE *out, struct error *error)
+{
+    const struct options options = {
+        .scene = scene_name(SCENE_ROOM), .frame = FRAME, .size = {WIDTH, HEIGHT}};
+    struct source source;
+    struct meter meter = {0};
+
+    if (!source_open(&source, &options, error)) {
         return false;
     }
-    bool done = image_create(&frame, WIDTH, HEIGHT);
-    if (done) {
-        for (const struct stage *stage = stages; done && stage->name; stage++) {
-            const int number = number_of(stage);
-            done = !number ||
-                   (print_picture(out, &source, number, stage->name, stage->draw, NULL, &frame) &&
-                    (number < 5 || print_picture(out, &source, number, stage->name, stage->draw,
-                                                 &source.textures[TEXTURE_COORD], &frame)));
-        }
-        done = done && print_picture(out, &source, 7, "the exact answer", exact_draw_triangle,
-                                     NULL, &frame);
-        image_destroy(&frame);
-    }
+    const bool done = meter_create(&meter, WIDTH, HEIGHT) &&
+                      print_accuracy(out, &source, &meter) &&
+                      print_pictures(out, &source, &meter.frame);
+    meter_destroy(&meter);
     source_close(&source);
-    return done || error_set(error, "report: no memory for the pictures");
+    return done || error_set(error, "report: no memory for the room");
 }

@@ -18,11 +18,10 @@ char *report_make(report_progress *progress, size_t *size, struct error *error);
 /* A part of the page: prints HTML. */
 typedef bool report_part(FILE *out, struct error *error);
 
-report_part report_accuracy; /* of the room, in all stages */
-report_part report_pictures; /* the room itself */
-report_part report_speed;    /* a short benchmark, and its chart */
-report_part report_lanes;    /* recordings of stage 5's assembly, as JSON */
-report_part report_cases;    /* the stability table; a line where tests/cases/ is not at hand */
+report_part report_room;  /* in all stages: how accurate, and the pictures */
+report_part report_speed; /* a short benchmark, and its chart */
+report_part report_lanes; /* recordings of stage 5's assembly, as JSON */
+report_part report_cases; /* the stability table; a line where tests/cases/ is not at hand */
 
 /* Text in HTML; two cells of a table, wrong texels and position; a picture as an address, false
  * when there is no memory for it. */
@@ -30,13 +29,8 @@ void html_text(FILE *out, const char *text);
 void html_accuracy(FILE *out, const struct accuracy *accuracy);
 bool html_png(FILE *out, const struct image *image);
 
-/* The page's own files, tests/page/, and the stages' sources, as the build put them into the
- * program: see tests/page/embed.sh. */
-struct page_file {
-    const char *name;
-    const char *const *lines; /* each with its newline; ends with NULL */
-};
-
-extern const struct page_file page_files[]; /* ends with name == NULL */
+/* The page's template, with the files that it names, as the build put it into the program: see
+ * tests/page/embed.sh. */
+extern const char *const page_lines[]; /* each with its newline; ends with NULL */
 
 #endif

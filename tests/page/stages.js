@@ -25,22 +25,6 @@ const standIn = (number) => (number === 5 ? 4 : number);
 const EVENT_WORDS = 4, EVENT_DOUBLES = 12;
 const EVENTS_MAX = 50000; /* that a trace keeps */
 
-/* A step of a stage. Its values are taken out of the list when they are asked for: most are not. */
-class TraceEvent {
-  constructor(kind, line, pixel, names, values) {
-    this.kind = kind;
-    this.line = line;
-    this.pixel = pixel;
-    this.names = names;
-    this.values = values;
-  }
-
-  get v() {
-    return (this.known ||=
-      Object.fromEntries(this.names.map((name, i) => [name, this.values[i]])));
-  }
-}
-
 class Stages {
   static async load() {
     const bytes = Uint8Array.from(atob(byId("module").textContent.replace(/\s/g, "")),
@@ -126,11 +110,6 @@ class Stages {
     return address ? Array.from(this.array(Float64Array, address, 4)) : null;
   }
 
-  /* x and y of vertex i of triangle k as a stage rounds it. */
-  rounded(k, i, grid) {
-    return Array.from(this.array(Float32Array, this.wasm.page_rounded(k, i, grid), 2));
-  }
-
   /* What a stage does with triangle k, event by event: kind, source line, pixel (counted from the
    * frame's first, row by row), and the values by the names that the recorder gives them. */
   trace(stage, k) {
@@ -142,9 +121,10 @@ class Stages {
     const names = KINDS.map((_, kind) => this.text(this.wasm.page_event_names(stage, kind))
       .split(" "));
     return Array.from({ length: count }, (_, i) => {
-      const kind = words[2 * size * i], from = size * i + EVENT_WORDS / 2;
-      return new TraceEvent(kind, words[2 * size * i + 1], (words[2 * size * i + 2] - frame) / 4,
-        names[kind], doubles.subarray(from, from + EVENT_DOUBLES));
+      const [kind, line, address] = words.subarray(2 * size * i), from = size * i + EVENT_WORDS / 2;
+      return { kind, line, pixel: (address - frame) / 4, get v() { /* most are never asked for */
+        return Object.fromEntries(names[kind].map((name, k) => [name, doubles[from + k]]));
+      } };
     });
   }
 
@@ -153,6 +133,14 @@ class Stages {
     const bytes = new Uint8Array(this.wasm.memory.buffer, address);
     return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
   }
+}
+
+/* A triangle's corners as a stage has them that gives vertices `grid` places a pixel; 0: as they
+ * are given. */
+function cornersOf(triangle, grid) {
+  const place = (c) => (grid ? Math.floor(c * grid + 0.5) / grid : c);
+  return [0, 5, 10].map((i) => ({ x: place(triangle[i]), y: place(triangle[i + 1]),
+    z: triangle[i + 2], u: triangle[i + 3], v: triangle[i + 4] }));
 }
 
 const texelU = (pixel) => pixel >> 16 & 0xFF;

@@ -5,19 +5,19 @@ const SWIM_FRAMES = 128;
 const SWIM_WINDOW = { x: 163, y: 39, w: 72, h: 54 }; /* of the frame: the wall's far end */
 const SWIM_STAGES = [2, 3, EXACT];
 const SWIM_CHANGE = 2; /* texels: a change of 1 is what rounding to whole texels makes */
-const letterOf = (n) => String.fromCharCode(65 + n);
+const SWIM_BARS = 110; /* CSS pixels high */
 const DIRECTIONS = { right: [1, 0], down: [0, 1], both: [1, 1] };
 
-class Swim {
+class Swim extends Part {
   constructor(stages) {
+    super("swim", {
+      frame: { ...whole(0, 0, SWIM_FRAMES - 1), says: (n) => `${n}: moved by ${n}/64 pixel` },
+      direction: oneOf("right", [["right", "to the right"], ["down", "down"],
+        ["both", "both ways"]]),
+      speed: { ...whole(12, 1, 60), says: String },
+    });
     this.stages = stages;
-    this.state = { frame: 0, direction: "right", speed: 12 };
     this.changes = {}; /* direction: for each frame the change in stages 2 and 3, and who jumped */
-    this.player = new Player("swim-play", () => this.go((this.state.frame + 1) % SWIM_FRAMES),
-      () => this.state.speed);
-    this.choice = new Choice("swim-direction",
-      [["right", "to the right"], ["down", "down"], ["both", "both ways"]],
-      (direction) => this.set({ direction }));
     this.views = SWIM_STAGES.map((n) => {
       const canvas = element("canvas", { role: "img", "aria-label":
         n === EXACT ? "The wall, exact" : `The wall, stage ${n}` });
@@ -25,22 +25,9 @@ class Swim {
       byId("swim-views").append(element("figure", {}, canvas, says));
       return { n, canvas, says };
     });
-    this.drawSoon = later(() => this.draw());
-    byId("swim-frame").addEventListener("input", (event) => this.go(Number(event.target.value)));
-    byId("swim-speed").addEventListener("input",
-      (event) => this.set({ speed: Number(event.target.value) }));
-    byId("swim-mark").addEventListener("change", this.drawSoon);
-    byId("swim-bars").addEventListener("click", (event) => {
-      const box = event.target.getBoundingClientRect();
-      this.go(clamp(Math.floor((event.clientX - box.left - 44) / (box.width - 54) * SWIM_FRAMES), 0,
-        SWIM_FRAMES - 1));
-    });
-    addEventListener("resize", this.drawSoon);
-    Address.part("swim", () => this.state, ({ frame, direction, speed }) => this.set({
-      frame: clamp(Math.round(Number(frame) || 0), 0, SWIM_FRAMES - 1),
-      direction: DIRECTIONS[direction] ? direction : "right",
-      speed: clamp(Number(speed) || 12, 1, 60),
-    }));
+    byId("swim-bars").addEventListener("click", ({ offsetX, target }) => this.set({ frame:
+      clamp(Math.floor((offsetX - 44) / (target.clientWidth - 54) * SWIM_FRAMES), 0,
+        SWIM_FRAMES - 1) }));
     new IntersectionObserver((entries, observer) => {
       if (entries.some((entry) => entry.isIntersecting)) {
         observer.disconnect();
@@ -49,34 +36,21 @@ class Swim {
     }).observe(byId("swim-views"));
   }
 
-  set(change) {
-    Object.assign(this.state, change);
-    Address.write("swim");
-    this.drawSoon();
+  next() {
+    this.set({ frame: (this.state.frame + 1) % SWIM_FRAMES });
   }
 
-  go(frame) {
-    this.set({ frame });
-    return true;
-  }
-
-  /* The wall in a frame: its triangles, and each stage's errors and pixels. */
+  /* The wall in a frame: its triangles' vertices, and each stage's errors and, drawn, pixels. */
   wall(frame, drawn) {
     const { stages } = this, [dx, dy] = DIRECTIONS[this.state.direction];
     stages.open(...ROOM_SIZE);
     const list = stages.room(ROOM_FRAME, dx * frame / 64, dy * frame / 64, TEXTURE_BRICKS);
     stages.measurable();
-    const results = new Map(SWIM_STAGES.map((n) => {
-      const result = n === EXACT ? { errors: null } : stages.measure(n);
-      return [n, drawn ? { ...result, picture: stages.draw(n, TEXTURE_OWN) } : result];
-    }));
-    const rounded = (grid) => list.map((_, k) =>
-      [0, 1, 2].map((i) => stages.rounded(k, i, grid)));
-    const given = rounded(0).flat(), keys = given.map(String);
-    const letters = given.map((p, i) => /* the same in all triangles that share the vertex */
-      [letterOf(new Set(keys.slice(0, keys.indexOf(keys[i]))).size), p]);
-    return { results, letters, rounded: new Map([[2, rounded(1)], [3, rounded(16)],
-      [EXACT, rounded(0)]]) };
+    return new Map(SWIM_STAGES.map((n) => [n, {
+      ...(n === EXACT ? {} : stages.measure(n)),
+      vertices: list.flatMap((triangle) => cornersOf(triangle, stageOf(n).grid)),
+      picture: drawn && stages.draw(n, TEXTURE_OWN),
+    }]));
   }
 
   draw() {
@@ -85,80 +59,53 @@ class Swim {
     for (const view of this.views) {
       this.drawView(view, now, before);
     }
-    this.choice.press(this.state.direction);
-    byId("swim-frame").value = frame;
-    byId("swim-speed").value = this.state.speed;
-    byId("swim-speed-says").textContent = this.state.speed;
-    byId("swim-says").textContent = `${frame}: moved by ${frame}/64 pixel`;
     this.measureMore();
     this.drawBars();
   }
 
   drawView({ n, canvas, says }, now, before) {
     const { x, y, w, h } = SWIM_WINDOW, cell = (canvas.clientWidth || 300) / w;
-    const [c] = context(canvas, Math.ceil(cell * h));
-    const { picture, errors } = now.results.get(n), old = before.results.get(n).errors;
+    const [c] = context(canvas, Math.ceil(cell * h)), { picture, vertices } = now.get(n);
     drawPixels(c, (i, j) => picture[(y + j) * ROOM_SIZE[0] + x + i], w, h, cell);
-    const changed = errors ? this.drawChanged(c, errors, old, cell) : 0;
-    const at = ([px, py]) => [(px - x + 0.5) * cell, (py - y + 0.5) * cell];
-    const outline = (points, name, dash) => points.forEach((p, i) =>
-      line(c, ...at(p), ...at(points[(i + 1) % 3]), colour(name), 2, dash));
-    now.rounded.get(n).forEach((triangle) => outline(triangle, "now", []));
-    now.rounded.get(EXACT).forEach((triangle) => outline(triangle, "accent", [5, 4]));
-    for (const [letter, p] of now.letters) {
-      const [px, py] = at(p);
-      if (px > 0 && py > 0 && px < w * cell && py < h * cell) {
-        const jump = n !== EXACT && jumped(before, now, n).includes(letter);
-        c.fillStyle = colour(jump ? "now" : "paper");
-        c.beginPath();
-        c.arc(px + 14, py, 10, 0, 7);
-        c.fill();
-        c.fillStyle = colour(jump ? "paper" : "ink");
-        c.textAlign = "center";
-        c.textBaseline = "middle";
-        c.fillText(letter, px + 14, py);
-      }
+    const changed = n === EXACT ? 0 : drawChanged(c, now.get(n).errors, before.get(n).errors, cell);
+    const at = (p) => [(p.x - x + 0.5) * cell, (p.y - y + 0.5) * cell];
+    const given = now.get(EXACT).vertices, letters = lettersOf(given);
+    const jumps = jumped(before, now, n);
+    for (const [points, name, dash] of [[vertices, "now", []], [given, "accent", [5, 4]]]) {
+      points.forEach((p, i) => line(c, ...at(p), ...at(points[i % 3 < 2 ? i + 1 : i - 2]),
+        colour(name), 2, dash));
     }
-    says.textContent = (n === EXACT ? "Exact" : `Stage ${n}: ${stageOf(n).name}`) + ". " +
-      (n === EXACT ? "The texture goes along with the wall."
-        : `${plural(changed, "pixel")} here changed by ${SWIM_CHANGE} texels or more` +
-          `${jumped(before, now, n) ? `; vertex ${jumped(before, now, n)} jumped` : ""}.`);
-  }
-
-  drawChanged(c, errors, old, cell) {
-    const { x, y, w, h } = SWIM_WINDOW, mark = byId("swim-mark").checked;
-    let changed = 0;
-    c.fillStyle = colour("changed");
-    c.globalAlpha = 0.6;
-    for (let i = 0; i < w * h; i++) {
-      const px = x + i % w, py = y + Math.floor(i / w), at = py * ROOM_SIZE[0] + px;
-      if (Math.abs(errors[2 * at] - old[2 * at]) >= SWIM_CHANGE ||
-          Math.abs(errors[2 * at + 1] - old[2 * at + 1]) >= SWIM_CHANGE) {
-        changed += 1;
-        if (mark) {
-          c.fillRect((px - x) * cell, (py - y) * cell, cell, cell);
-        }
-      }
-    }
-    c.globalAlpha = 1;
-    return changed;
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    given.forEach((p, i) => {
+      const [px, py] = at(p), jump = n !== EXACT && jumps.includes(letters[i]);
+      c.fillStyle = colour(jump ? "now" : "paper");
+      c.beginPath();
+      c.arc(px + 14, py, 10, 0, 7);
+      c.fill();
+      c.fillStyle = colour(jump ? "paper" : "ink");
+      c.fillText(letters[i], px + 14, py);
+    });
+    says.textContent = n === EXACT ? "Exact. The texture goes along with the wall."
+      : `Stage ${n}: ${stageOf(n).name}. ${plural(changed, "pixel")} here changed by ` +
+        `${SWIM_CHANGE} texels or more${jumps ? `; vertex ${jumps} jumped` : ""}.`;
   }
 
   /* The frames are measured a few at a time, so that the page goes on meanwhile. */
   measureMore() {
     const all = this.changes[this.state.direction] ||= [];
-    if (this.measuring || all.length >= SWIM_FRAMES) {
+    clearTimeout(this.measuring);
+    if (all.length >= SWIM_FRAMES) {
       return;
     }
-    this.measuring = true;
-    setTimeout(() => {
-      this.measuring = false;
+    this.measuring = setTimeout(() => {
       const started = performance.now();
-      this.last = all.length ? this.last : this.wall(0, false);
+      let last = this.wall(Math.max(all.length - 1, 0), false);
       while (all.length < SWIM_FRAMES && performance.now() - started < 12) {
         const now = this.wall(all.length, false);
-        all.push(swimChange(this.last, now));
-        this.last = now;
+        all.push([2, 3].map((n) => ({ rms: swimChange(last.get(n), now.get(n)),
+          jumps: jumped(last, now, n) })));
+        last = now;
       }
       this.drawBars();
       this.measureMore();
@@ -166,9 +113,9 @@ class Swim {
   }
 
   drawBars() {
-    const all = this.changes[this.state.direction] || [], height = 110;
+    const all = this.changes[this.state.direction], height = SWIM_BARS;
     const [c, width] = context(byId("swim-bars"), 2 * height + 50);
-    const most = Math.max(0.01, ...all.flatMap((one) => [one[2], one[3]]));
+    const most = Math.max(0.01, ...all.flat().map(({ rms }) => rms));
     const step = (width - 54) / SWIM_FRAMES;
     [2, 3].forEach((n, row) => {
       const top = 20 + row * (height + 14);
@@ -176,42 +123,60 @@ class Swim {
       c.textAlign = "left";
       c.fillStyle = colour("ink");
       c.fillText(`Stage ${n}`, 48, top + 10);
+      c.textAlign = "center";
       all.forEach((one, t) => {
-        const [left, y] = area.at([t, one[n]]), [, bottom] = area.at([t, 0]);
-        c.fillStyle = colour(t === this.state.frame ? "now" : one.jumps[n] ? "warn" : "soft");
+        const { rms, jumps } = one[row];
+        const [left, y] = area.at([t, rms]), [, bottom] = area.at([t, 0]);
+        c.fillStyle = colour(t === this.state.frame ? "now" : jumps ? "warn" : "soft");
         c.fillRect(left, y, Math.max(step - 1, 1), bottom - y);
-        if (n === 2 && one.jumps[n]) {
-          c.textAlign = "center";
-          c.fillText(one.jumps[n], left + step / 2, Math.max(y - 7, top - 8));
+        if (n === 2) {
+          c.fillText(jumps, left + step / 2, Math.max(y - 7, top - 8));
         }
       });
     });
   }
 }
 
-/* From one frame to the next: the RMS of the change of error in stages 2 and 3, and the vertices
- * that were rounded to another place than before. */
-function swimChange(before, now) {
-  const change = { jumps: {} };
-  for (const n of [2, 3]) {
-    const a = before.results.get(n).errors, b = now.results.get(n).errors;
-    let sum = 0;
-    for (let i = 0; i < a.length; i++) {
-      if (a[i] !== OTHER_SURFACE && b[i] !== OTHER_SURFACE) {
-        sum += (a[i] - b[i]) ** 2;
-      }
+/* Marks the pixels whose error is another by SWIM_CHANGE texels or more; returns how many. */
+function drawChanged(c, errors, old, cell) {
+  const { x, y, w, h } = SWIM_WINDOW;
+  let changed = 0;
+  c.fillStyle = colour("changed");
+  c.globalAlpha = 0.6;
+  for (let i = 0; i < w * h; i++) {
+    const px = i % w, py = Math.floor(i / w), at = 2 * ((y + py) * ROOM_SIZE[0] + x + px);
+    if ([at, at + 1].some((axis) => Math.abs(errors[axis] - old[axis]) >= SWIM_CHANGE)) {
+      changed += 1;
+      c.fillRect(px * cell, py * cell, cell, cell);
     }
-    change[n] = Math.sqrt(sum / Math.max(now.results.get(n).pixels, 1));
-    change.jumps[n] = jumped(before, now, n);
   }
-  return change;
+  c.globalAlpha = 1;
+  return changed;
+}
+
+/* From one frame to the next: the RMS of the change of a stage's error. */
+function swimChange({ errors: a }, { errors: b, pixels }) {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) {
+    if (a[i] !== OTHER_SURFACE && b[i] !== OTHER_SURFACE) {
+      sum += (a[i] - b[i]) ** 2;
+    }
+  }
+  return Math.sqrt(sum / Math.max(pixels, 1));
+}
+
+/* A letter for each vertex, the same in all triangles that share it. */
+function lettersOf(vertices) {
+  const keys = vertices.map(({ x, y }) => `${x} ${y}`), all = Array.from(new Set(keys));
+  return keys.map((key) => String.fromCharCode(65 + all.indexOf(key)));
 }
 
 /* The letters of the vertices that a stage rounds to another place than before. */
 function jumped(before, now, n) {
-  const was = before.rounded.get(n).flat(), found = now.rounded.get(n).flat()
-    .map((p, i) => (was[i] && (was[i][0] !== p[0] || was[i][1] !== p[1]) ? now.letters[i][0] : ""));
-  return Array.from(new Set(found)).sort().join("");
+  const was = before.get(n).vertices, letters = lettersOf(now.get(EXACT).vertices);
+  return Array.from(new Set(now.get(n).vertices
+    .map((p, i) => (was[i] && (was[i].x !== p.x || was[i].y !== p.y) ? letters[i] : ""))))
+    .sort().join("");
 }
 
 /* Pixels 0xAARRGGBB, one by one, so that each is sharp. */

@@ -73,50 +73,111 @@ function later(draw) {
   };
 }
 
-/* A group of buttons of which one is pressed. */
-class Choice {
-  constructor(id, choices, chosen) {
-    this.buttons = new Map();
-    for (const [value, label] of choices) {
-      const button = element("button", { type: "button", "aria-pressed": "false" }, label);
-      button.addEventListener("click", () => chosen(value));
-      byId(id).append(button);
-      this.buttons.set(String(value), button);
-    }
+/* The way of an arrow key, which then does nothing else; none for other keys. */
+function arrow(event) {
+  const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+    ArrowDown: [0, 1] }[event.key];
+  if (way) {
+    event.preventDefault();
   }
-
-  press(value) {
-    for (const [own, button] of this.buttons) {
-      button.setAttribute("aria-pressed", String(own === String(value)));
-    }
-  }
+  return way;
 }
 
-/* Plays: calls `step` so many times a second, until it returns false or the button is pressed. */
-class Player {
-  constructor(id, step, perSecond) {
-    this.button = byId(id);
-    this.words = this.button.textContent;
-    this.step = step;
-    this.perSecond = perSecond;
-    this.button.addEventListener("click", () => (this.timer ? this.stop() : this.play()));
+/* What a value in a part's state may be: `first` it has when the page opens, `read` makes one of a
+ * text, undefined of nonsense. */
+const whole = (first, low, high) => ({ first, read: (text) =>
+  (text.trim() && isFinite(text) ? clamp(Math.round(text), low, high) : undefined) });
+const oneOf = (first, labels) => ({ first, labels,
+  read: (text) => labels.map(([value]) => value).find((value) => String(value) === text) });
+const several = (first, sign, low, high) => ({ first, sign, read: (text) => {
+  const all = text.split(sign).map(Number);
+  return all.length === first.length && all.every((n) => n >= low && n <= high) ? all : undefined;
+} });
+
+/* A part of the page, section #NAME: its state, and the controls that show and change it. A control
+ * has data-state="KEY": an input, a select, or a span that gets a button for each value; data-log:
+ * a slider of powers of two. A button with data-go="METHOD" calls that with its data-by. */
+class Part {
+  constructor(name, fields) {
+    Object.assign(this, { name, fields, section: byId(name), drawSoon: later(() => {
+      this.showState();
+      this.draw();
+    }) });
+    this.state = Object.fromEntries(Object.entries(fields).map(([key, { first }]) => [key, first]));
+    this.controls = Array.from(this.section.querySelectorAll("[data-state]"));
+    this.controls.forEach((control) => this.bind(control));
+    for (const button of this.section.querySelectorAll("[data-go]")) {
+      button.addEventListener("click", () => this[button.dataset.go](Number(button.dataset.by)));
+    }
+    addEventListener("resize", this.drawSoon);
+    Address.parts[name] = this;
   }
 
+  bind(control) {
+    const { state: key, log } = control.dataset, { labels = [], read } = this.fields[key];
+    const group = control.matches("span");
+    control.append(...labels.map(([value, label]) =>
+      element(group ? "button" : "option", group ? { value, type: "button" } : { value }, label)));
+    control.addEventListener(group ? "click" : "input", ({ target }) => {
+      const text = target.type === "checkbox" ? String(Number(target.checked))
+        : log === undefined ? target.value : String(2 ** target.value);
+      const value = read(text);
+      if (value !== undefined) {
+        this.set({ [key]: value });
+      }
+    });
+  }
+
+  showState() {
+    for (const control of this.controls) {
+      const key = control.dataset.state, value = this.state[key];
+      const { labels, says } = this.fields[key];
+      if (control.matches("span")) {
+        Array.from(control.children).forEach((button, i) =>
+          button.setAttribute("aria-pressed", String(labels[i][0] === value)));
+      } else if (control.type === "checkbox") {
+        control.checked = value;
+      } else {
+        control.value = control.dataset.log === undefined ? value : Math.log2(value);
+      }
+      if (says) {
+        control.nextElementSibling.textContent = says(value);
+      }
+    }
+  }
+
+  set(change) {
+    Object.assign(this.state, change);
+    Address.write(this);
+    this.drawSoon();
+  }
+
+  /* Takes what an address says, as texts. */
+  open(wanted) {
+    this.set(Object.fromEntries(Object.entries(this.fields).map(([key, { first, read }]) =>
+      [key, wanted[key] === undefined ? first : read(wanted[key]) ?? first])));
+  }
+
+  /* What an address says: all that is not as at first. */
+  address() {
+    return Object.entries(this.fields).filter(([key, { first }]) => this.state[key] !== first)
+      .map(([key, { sign }]) => [key, sign ? this.state[key].join(sign) : this.state[key]]);
+  }
+
+  /* Calls next() so many times a second, until it returns false or the button is pressed again. */
   play() {
     const tick = () => {
-      this.timer = setTimeout(tick, 1000 / this.perSecond());
-      if (this.step() === false) {
-        this.stop();
+      this.timer = setTimeout(tick, 1000 / (this.state.speed || 8));
+      if (this.next() === false) {
+        this.play();
       }
     };
-    this.button.textContent = "Pause";
-    this.timer = setTimeout(tick, 0);
-  }
-
-  stop() {
+    this.playing = !this.playing;
+    this.section.querySelector("[data-go=play]").textContent = this.playing ? "Pause" : "Play";
     clearTimeout(this.timer);
-    this.timer = null;
-    this.button.textContent = this.words;
+    if (this.playing) {
+      this.timer = setTimeout(tick, 0);
+    }
   }
 }
 
@@ -130,37 +191,27 @@ class Player {
  *             zoom=1..16  at=X,Y
  *   assembly  recording=0|1|2  at=INSTRUCTION
  *   cases     case=NAME
- *   assembly  recording=0..  at=STEP
  *
  * What is left out stays as it is when the page opens. */
 const Address = {
   parts: {},
 
-  /* `state()` gives an object, `open(object of strings)` takes one. */
-  part(name, state, open) {
-    this.parts[name] = { state, open };
-  },
-
-  write(name) {
+  write(part) {
     if (!this.ready) {
       return; /* what the page was opened with is still to be read */
     }
-    const pairs = Object.entries(this.parts[name].state())
-      .filter(([, value]) => value !== null && value !== undefined && value !== "")
-      .map(([key, value]) => `${key}=${encodeURI(value)}`);
+    const pairs = part.address().map(([key, value]) => `${key}=${encodeURI(value)}`);
     clearTimeout(this.timer); /* browsers refuse more than a few addresses a second */
-    this.timer = setTimeout(() => history.replaceState(null, "", `#${name}?${pairs.join("&")}`),
-      300);
+    this.timer = setTimeout(() =>
+      history.replaceState(null, "", `#${part.name}?${pairs.join("&")}`), 300);
   },
 
   read() {
-    this.ready = true;
     const [name, query] = location.hash.slice(1).split("?");
-    if (!this.parts[name] || query === undefined) {
-      return false; /* none, or one whose part is not there yet */
+    this.ready = true;
+    if (this.parts[name] && query !== undefined) {
+      this.parts[name].open(Object.fromEntries(new URLSearchParams(query)));
+      byId(name).scrollIntoView();
     }
-    this.parts[name].open(Object.fromEntries(new URLSearchParams(query)));
-    byId(name).scrollIntoView();
-    return true;
   },
 };
