@@ -2,7 +2,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,35 +9,27 @@
 #define STAGE4_SEGMENT 16       /* what stage 4 itself uses: its row is a point of the curve too */
 #define SEGMENT_LENGTH_MAX 4096 /* a frame's longest span */
 
-/* The numbers that a row takes from the file. */
-static const struct {
-    const char *column;
-    enum csv_range range;
-    size_t offset; /* in struct chart_row */
-} numbers[] = {
-    {"width", CSV_POSITIVE, offsetof(struct chart_row, width)},
-    {"height", CSV_POSITIVE, offsetof(struct chart_row, height)},
-    {"wrong_texel_pct", CSV_NOT_NEGATIVE, offsetof(struct chart_row, wrong_texel_pct)},
-    {"position_rms", CSV_NOT_NEGATIVE, offsetof(struct chart_row, position_rms)},
-    {"coverage_missing", CSV_NOT_NEGATIVE, offsetof(struct chart_row, missing)},
-    {"coverage_extra", CSV_NOT_NEGATIVE, offsetof(struct chart_row, extra)},
-    {"ns_per_pixel_min", CSV_POSITIVE, offsetof(struct chart_row, ns_per_pixel)},
-    {"lookup_ns_per_pixel", CSV_POSITIVE, offsetof(struct chart_row, lookup)},
-    {"ruler_step", CSV_POSITIVE, offsetof(struct chart_row, step)},
-};
+/* A field of row i. */
+static bool load_number(const struct csv *csv, size_t i, const char *name, enum csv_range range,
+                        double *value, struct error *error)
+{
+    size_t column;
+    return csv_column(csv, name, &column, error) &&
+           csv_number(csv, i, column, range, value, error);
+}
 
 static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row,
-                         struct error *error)
+                         struct error *e)
 {
-    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-        double *value = (double *)((char *)row + numbers[k].offset);
-        size_t column;
-        if (!csv_column(csv, numbers[k].column, &column, error) ||
-            !csv_number(csv, i, column, numbers[k].range, value, error)) {
-            return false;
-        }
-    }
-    return true;
+    return load_number(csv, i, "width", CSV_POSITIVE, &row->width, e) &&
+           load_number(csv, i, "height", CSV_POSITIVE, &row->height, e) &&
+           load_number(csv, i, "wrong_texel_pct", CSV_NOT_NEGATIVE, &row->wrong_texel_pct, e) &&
+           load_number(csv, i, "position_rms", CSV_NOT_NEGATIVE, &row->position_rms, e) &&
+           load_number(csv, i, "coverage_missing", CSV_NOT_NEGATIVE, &row->missing, e) &&
+           load_number(csv, i, "coverage_extra", CSV_NOT_NEGATIVE, &row->extra, e) &&
+           load_number(csv, i, "ns_per_pixel_min", CSV_POSITIVE, &row->ns_per_pixel, e) &&
+           load_number(csv, i, "lookup_ns_per_pixel", CSV_POSITIVE, &row->lookup, e) &&
+           load_number(csv, i, "ruler_step", CSV_POSITIVE, &row->step, e);
 }
 
 /* stage4_subdivide, coda, segment_8, segment_span: the stage column's words. */

@@ -76,29 +76,6 @@ static bool measure_frames(struct meter *meter, struct source *source,
     return true;
 }
 
-static void jitters_destroy(struct jitter *jitter, int count)
-{
-    for (int i = 0; jitter && i < count; i++) {
-        free(jitter[i].previous);
-    }
-    free(jitter);
-}
-
-/* NULL when there is no memory. */
-static struct jitter *jitters_create(int count, size_t pixels)
-{
-    struct jitter *jitter = calloc((size_t)count, sizeof *jitter);
-
-    for (int i = 0; jitter && i < count; i++) {
-        jitter[i].previous = calloc(pixels, sizeof *jitter[i].previous);
-        if (!jitter[i].previous) {
-            jitters_destroy(jitter, count);
-            return NULL;
-        }
-    }
-    return jitter;
-}
-
 /* Of all frames, and frame by frame unless `frames` is NULL. */
 static double jitter_result(const struct jitter *jitter, double frames[JITTER_FRAMES])
 {
@@ -119,16 +96,19 @@ bool jitter_measure(struct meter *meter, struct source *source, const struct sta
                     int count, double rms[], double frames[][JITTER_FRAMES],
                     void (*progress)(int done, int frames), struct error *error)
 {
-    struct jitter *jitter = jitters_create(count + 1, meter_pixels(meter));
+    const size_t pixels = meter_pixels(meter), rows = (size_t)count + 1;
+    struct jitter *jitter = calloc(rows, sizeof *jitter);
+    struct drift *previous = calloc(rows * pixels, sizeof *previous);
+    bool measured = (jitter && previous) || error_set(error, "jitter: no memory");
 
-    if (!jitter) {
-        return error_set(error, "jitter: no memory");
+    for (size_t i = 0; measured && i < rows; i++) {
+        jitter[i].previous = previous + i * pixels;
     }
-    const bool measured =
-        measure_frames(meter, source, chosen, count, jitter, progress, error);
+    measured = measured && measure_frames(meter, source, chosen, count, jitter, progress, error);
     for (int i = 0; measured && i <= count; i++) {
         rms[i] = jitter_result(&jitter[i], frames ? frames[i] : NULL);
     }
-    jitters_destroy(jitter, count + 1);
+    free(previous);
+    free(jitter);
     return measured;
 }

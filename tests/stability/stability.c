@@ -1,36 +1,28 @@
 #define _POSIX_C_SOURCE 200809L
 #include "tests/stability/stability.h"
 
-#include <dirent.h>
 #include <errno.h>
+#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "tests/files/tri.h"
 
-static int is_case(const struct dirent *entry)
-{
-    const char *dot = strrchr(entry->d_name, '.');
-
-    return dot && strcmp(dot, ".tri") == 0;
-}
-
 int stability_list(char paths[STABILITY_CASES_MAX][128], struct error *error)
 {
-    struct dirent **entries;
-    const int count = scandir(STABILITY_FOLDER, &entries, is_case, alphasort);
-    bool fit = count <= STABILITY_CASES_MAX;
+    glob_t found;
+    int count = 0;
 
-    if (count < 0) {
-        error_set(error, "%s: %s", STABILITY_FOLDER, strerror(errno));
+    if (glob(STABILITY_FOLDER "/*.tri", 0, NULL, &found) != 0) {
+        error_set(error, "%s: no cases there, or no memory", STABILITY_FOLDER);
         return -1;
     }
-    for (int i = 0; i < count; i++) {
-        fit = fit && snprintf(paths[i], sizeof paths[i], "%s/%s", STABILITY_FOLDER,
-                              entries[i]->d_name) < (int)sizeof paths[i];
-        free(entries[i]);
+    bool fit = found.gl_pathc <= STABILITY_CASES_MAX;
+    for (; fit && count < (int)found.gl_pathc; count++) {
+        fit = snprintf(paths[count], sizeof paths[0], "%s", found.gl_pathv[count]) <
+              (int)sizeof paths[0];
     }
-    free(entries);
+    globfree(&found);
     if (!fit) {
         error_set(error, "%s: too many cases, or a name too long", STABILITY_FOLDER);
     }

@@ -30,8 +30,8 @@ static bool record(struct trace *trace)
 {
     for (int pass = 0; pass < 2; pass++) {
         trace_recorder = (struct trace_recorder){trace->events, trace->event_count, 0, NULL};
-        for (int i = 0; i < trace->piece_count; i++) {
-            trace->stage->traced(&trace->frame, &trace->texture, trace->clipped[i]);
+        for (size_t i = 0; i < trace->pieces.count; i++) {
+            trace->stage->traced(&trace->frame, &trace->texture, trace->pieces.items[i].v);
         }
         trace->event_count = trace_recorder.count;
         if (pass == 0) {
@@ -41,39 +41,24 @@ static bool record(struct trace *trace)
             }
         }
     }
-    for (int i = 0; i < trace->piece_count; i++) {
-        exact_draw_triangle(&trace->exact_frame, &trace->texture, trace->clipped[i]);
+    for (size_t i = 0; i < trace->pieces.count; i++) {
+        exact_draw_triangle(&trace->exact_frame, &trace->texture, trace->pieces.items[i].v);
     }
-    return true;
-}
-
-static bool clip(struct trace *trace, const struct triangle *triangle, int width, int height)
-{
-    struct triangle given = *triangle;
-    const struct triangle_list list = {&given, 1, 1};
-    const struct view view = {width, height, 0, 0};
-    struct triangle_list pieces = {0};
-
-    if (!clip_screen_triangles(&list, &view, &pieces)) {
-        triangle_list_destroy(&pieces);
-        return false;
-    }
-    memcpy(trace->given, triangle->v, sizeof trace->given);
-    for (; (size_t)trace->piece_count < pieces.count; trace->piece_count++) {
-        memcpy(trace->clipped[trace->piece_count], pieces.items[trace->piece_count].v,
-               sizeof trace->clipped[0]);
-    }
-    triangle_list_destroy(&pieces);
     return true;
 }
 
 bool trace_triangle(const struct stage *stage, const struct triangle *triangle,
                     const struct image *texture, int width, int height, struct trace *trace)
 {
+    struct triangle given = *triangle;
+    const struct triangle_list list = {&given, 1, 1};
+    const struct view view = {width, height, 0, 0};
+
     assert(stage->traced);
     *trace = (struct trace){.stage = stage, .number = stage->digit[0] - '1',
-                            .row = TRACE_ALL_ROWS};
-    if (!clip(trace, triangle, width, height) || !image_create(&trace->frame, width, height) ||
+                            .given = given, .row = TRACE_ALL_ROWS};
+    if (!clip_screen_triangles(&list, &view, &trace->pieces) ||
+        !image_create(&trace->frame, width, height) ||
         !image_create(&trace->exact_frame, width, height) ||
         !image_create(&trace->texture, texture->width, texture->height)) {
         trace_destroy(trace);
@@ -100,8 +85,8 @@ bool trace_steps(struct trace *trace)
     trace_recorder = (struct trace_recorder){0};
     steps_record(&trace->steps, pixels + first_row * trace->frame.stride,
                  pixels + (first_row + rows) * trace->frame.stride);
-    for (int i = 0; i < trace->piece_count; i++) {
-        trace->stage->traced(&trace->frame, &trace->texture, trace->clipped[i]);
+    for (size_t i = 0; i < trace->pieces.count; i++) {
+        trace->stage->traced(&trace->frame, &trace->texture, trace->pieces.items[i].v);
     }
     steps_record(NULL, NULL, NULL);
     return !trace->steps.no_memory;
@@ -150,19 +135,20 @@ static bool is_right(double c, double a, double b, double d, int size, int texel
     return false;
 }
 
-/* The piece that covers the pixel, for the vertices as they are; -1: none. */
-static int piece_at(const struct trace *trace, int x, int y, struct exact_triangle *piece)
+/* The piece that covers the pixel, for the vertices as they are; NULL: none. */
+static const struct vertex *piece_at(const struct trace *trace, int x, int y,
+                                     struct exact_triangle *piece)
 {
-    for (int i = 0; i < trace->piece_count; i++) {
+    for (size_t i = 0; i < trace->pieces.count; i++) {
         int first, end;
-        if (exact_setup(piece, trace->clipped[i])) {
+        if (exact_setup(piece, trace->pieces.items[i].v)) {
             exact_row(piece, y, trace->frame.width, &first, &end);
             if (x >= first && x < end) {
-                return i;
+                return trace->pieces.items[i].v;
             }
         }
     }
-    return -1;
+    return NULL;
 }
 
 bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int y,
@@ -173,11 +159,10 @@ bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int
     struct exact_triangle piece;
 
     *exact = (struct trace_exact){NAN, NAN, NAN, NAN, NAN, false};
-    const int i = piece_at(trace, x, y, &piece);
-    if (i < 0) {
+    const struct vertex *v = piece_at(trace, x, y, &piece);
+    if (!v) {
         return false;
     }
-    const struct vertex *v = trace->clipped[i];
     const struct exact_point point = exact_at(&piece, x, y);
     const int right = (int)trace->exact_frame.pixels[at] - 1;
     const int got = (int)trace->frame.pixels[at] - 1;
@@ -190,6 +175,7 @@ bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int
 
 void trace_destroy(struct trace *trace)
 {
+    triangle_list_destroy(&trace->pieces);
     image_destroy(&trace->frame);
     image_destroy(&trace->exact_frame);
     image_destroy(&trace->texture);

@@ -12,15 +12,13 @@
 #include "tests/trace/recorder.h"
 #include "tests/trace/steps.h"
 
-#define TRACE_PIECES 7 /* what clipping leaves of a triangle, at most */
 #define TRACE_ALL_ROWS (-1)
 
 struct trace {
     const struct stage *stage;
     int number; /* the stage's, from 0: the index of trace_names */
-    struct vertex given[3];
-    int piece_count;
-    struct vertex clipped[TRACE_PIECES][3]; /* the pieces that the stage drew */
+    struct triangle given;
+    struct triangle_list pieces; /* what clipping leaves of it, and the stage drew */
     int row; /* the only one that is written, or TRACE_ALL_ROWS */
     struct trace_event *events;
     int event_count;

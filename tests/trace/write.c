@@ -305,20 +305,20 @@ void trace_write_table(FILE *file, const struct trace *trace)
 {
     const struct trace_event *seen[2] = {NULL, NULL};
     struct row row = {0};
-    const bool cut = trace->piece_count != 1 ||
-                     memcmp(trace->given, trace->clipped[0], sizeof trace->given) != 0;
+    const bool cut = trace->pieces.count != 1 ||
+                     memcmp(trace->given.v, trace->pieces.items[0].v, sizeof trace->given.v) != 0;
 
     fprintf(file, "%-9s%14s%14s%12s%12s%12s\n", "vertex", "x", "y", "z", "u", "v");
-    print_vertices(file, "given", trace->given, 0);
-    for (int i = 0; i < trace->piece_count; i++) {
+    print_vertices(file, "given", trace->given.v, 0);
+    for (size_t i = 0; i < trace->pieces.count; i++) {
         if (cut) {
-            print_vertices(file, "clipped", trace->clipped[i], 0);
+            print_vertices(file, "clipped", trace->pieces.items[i].v, 0);
         }
         if (trace->stage->grid) {
-            print_vertices(file, "rounded", trace->clipped[i], trace->stage->grid);
+            print_vertices(file, "rounded", trace->pieces.items[i].v, trace->stage->grid);
         }
     }
-    fputs(trace->piece_count == 0 ? "\nIt draws nothing: none of it is in the frame.\n"
+    fputs(trace->pieces.count == 0 ? "\nIt draws nothing: none of it is in the frame.\n"
           : trace->event_count == 0
               ? "\nIt draws nothing: no area, or between two scanlines.\n"
               : "\n* is not the exact answer's texel, nor on its border, for the vertices as "

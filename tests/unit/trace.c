@@ -114,8 +114,8 @@ static bool edges_right(const struct trace *trace, const struct trace_event *con
     int crossings = 0, found = 0;
 
     for (int k = 0; k < 3; k++) {
-        const struct vertex a = exact_round(&trace->given[k], trace->stage->grid);
-        const struct vertex b = exact_round(&trace->given[(k + 1) % 3], trace->stage->grid);
+        const struct vertex a = exact_round(&trace->given.v[k], trace->stage->grid);
+        const struct vertex b = exact_round(&trace->given.v[(k + 1) % 3], trace->stage->grid);
         const struct vertex *top = a.y < b.y ? &a : &b, *bottom = a.y < b.y ? &b : &a;
         if (ceil(top->y) <= y && y < ceil(bottom->y)) {
             crossings++;
