@@ -120,7 +120,7 @@ arguments() {
     bench) echo "--stage 4 $source --seconds 1 --csv $folder/bench.csv" ;;
     chart) echo "$folder/bench.csv -o $folder/chart.svg" ;;
     scene) echo "$source -o $folder/wall.tri" ;;
-    trace) echo "--stage 4 $source --row 7" ;;
+    trace) echo "--stage 4 $source" ;;
     report) echo "-o $folder/report" ;;
     esac
 }

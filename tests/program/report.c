@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "tests/bench/machine.h"
 #include "tests/files/file.h"
 #include "tests/files/folder.h"
@@ -11,7 +12,9 @@
 
 static void show_progress(const char *doing)
 {
-    fprintf(stderr, "report: %s\n", doing);
+    if (isatty(STDERR_FILENO)) {
+        fprintf(stderr, "report: %s\n", doing);
+    }
 }
 
 static bool write_page(const char *path, const char *page, size_t size, struct error *error)
