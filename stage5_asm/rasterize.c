@@ -172,7 +172,7 @@ struct queue {
     struct segment segments[QUEUE_LENGTH], *next;
 };
 
-/* In span.S: draws the segments, at least one. */
+/* In span.S: draws the segments, at least four, a multiple of four. */
 void stage5_draw_segments(const struct segment *segments, int count, const struct image *texture,
                           const struct gradients *g);
 _Static_assert(sizeof(struct segment) == 48 && offsetof(struct segment, length) == 24 &&
@@ -184,6 +184,8 @@ _Static_assert(sizeof(struct segment) == 48 && offsetof(struct segment, length) 
 static inline void draw_queue(struct queue *queue, const struct image *texture,
                               const struct gradients *g)
 {
+    while ((queue->next - queue->segments) % 4 != 0)
+        *queue->next++ = (struct segment){.length = 1}; /* of no pixels */
     stage5_draw_segments(queue->segments, queue->next - queue->segments, texture, g);
     queue->next = queue->segments;
 }

@@ -5,12 +5,13 @@
  *
  * draws segments with stage 4's arithmetic: its C stands beside each group of instructions. An SSE
  * register holds four floats or integers, and so four segments lie side by side, a lane each,
- * whether they belong to one span or to four. One divide serves all four. It takes 11 clocks or
- * more: all the segments, up to 32, are set up before the first is drawn, so that divides overlap.
+ * whether they belong to one span or to four. `count` is a multiple of four; a segment may be of no
+ * pixels. One divide serves all four. It takes 11 clocks or more: all the segments, up to 32, are
+ * set up before the first is drawn, so that divides overlap.
  *
  *   register              holds
  *   rdi rsi rdx rcx       segments, count, texture and g, on entry
- *   rdi rax rcx r9        the segments in lanes 0, 1, 2, 3
+ *   rdi                   the segment in lane 0; those in lanes 1, 2 and 3 follow it
  *   r8                    the texture's pixels
  *   xmm12 xmm13 xmm14     32 - log2(width); v_mask, in four lanes; v_shift = 16 - log2(width)
  *   xmm0 xmm1             u, v of the next pixel, a segment a lane; v is 16.16, u is 16.16 shifted
@@ -63,9 +64,9 @@ sign:           .long   0x80000000, 0x80000000, 0x80000000, 0x80000000
  * length dx. xmm10, xmm11 = length of lanes 0 and 1, of lanes 2 and 3 */
         .macro  interpolants start, end, i
         movsd   \start, qword ptr [rdi + S_AT + 8 * \i]
-        movhpd  \start, qword ptr [rax + S_AT + 8 * \i]
-        movsd   xmm9, qword ptr [rcx + S_AT + 8 * \i]
-        movhpd  xmm9, qword ptr [r9 + S_AT + 8 * \i]
+        movhpd  \start, qword ptr [rdi + S_SIZE + S_AT + 8 * \i]
+        movsd   xmm9, qword ptr [rdi + 2 * S_SIZE + S_AT + 8 * \i]
+        movhpd  xmm9, qword ptr [rdi + 3 * S_SIZE + S_AT + 8 * \i]
         movapd  \end, [rsp + F_DX + 16 * \i]
         movapd  xmm8, \end
         mulpd   \end, xmm10
@@ -192,25 +193,11 @@ stage5_draw_segments:
         mov     ebx, esi
         lea     rdx, [rsp + F_LINES]
 
-/* The addresses of the next four segments, or fewer: then the last is in the other lanes too. */
-        .macro  segments left
-        lea     rax, [rdi + S_SIZE]
-        cmp     \left, 2
-        cmovl   rax, rdi
-        lea     rcx, [rax + S_SIZE]
-        cmp     \left, 3
-        cmovl   rcx, rax
-        lea     r9, [rcx + S_SIZE]
-        cmp     \left, 4
-        cmovl   r9, rcx
-        .endm
-
 /* Where each segment starts, and how it steps. */
-set_up: segments esi
-        movsd   xmm10, qword ptr [rdi + S_LENGTH]
-        movhpd  xmm10, qword ptr [rax + S_LENGTH]
-        movsd   xmm11, qword ptr [rcx + S_LENGTH]
-        movhpd  xmm11, qword ptr [r9 + S_LENGTH]
+set_up: movsd   xmm10, qword ptr [rdi + S_LENGTH]
+        movhpd  xmm10, qword ptr [rdi + S_SIZE + S_LENGTH]
+        movsd   xmm11, qword ptr [rdi + 2 * S_SIZE + S_LENGTH]
+        movhpd  xmm11, qword ptr [rdi + 3 * S_SIZE + S_LENGTH]
         interpolants xmm4, xmm5, 0              /* 1/z */
         interpolants xmm0, xmm2, 1              /* u/z */
         interpolants xmm1, xmm3, 2              /* v/z */
@@ -245,15 +232,14 @@ draw:   movdqa  xmm0, [rsi]
         movdqa  xmm3, [rsi + 48]
         add     rsi, LINES_SIZE
         mov     [rsp + F_NEXT_LINES], rsi
-        segments "dword ptr [rsp + F_LEFT]"
         mov     ebx, [rdi + S_COUNT]
-        mov     ebp, [rax + S_COUNT]
-        mov     r11d, [rcx + S_COUNT]
-        mov     edx, [r9 + S_COUNT]
+        mov     ebp, [rdi + S_SIZE + S_COUNT]
+        mov     r11d, [rdi + 2 * S_SIZE + S_COUNT]
+        mov     edx, [rdi + 3 * S_SIZE + S_COUNT]
         mov     r12, [rdi + S_PIXELS]
-        mov     r13, [rax + S_PIXELS]
-        mov     r14, [rcx + S_PIXELS]
-        mov     r15, [r9 + S_PIXELS]
+        mov     r13, [rdi + S_SIZE + S_PIXELS]
+        mov     r14, [rdi + 2 * S_SIZE + S_PIXELS]
+        mov     r15, [rdi + 3 * S_SIZE + S_PIXELS]
         add     rdi, 4 * S_SIZE
         mov     eax, ebx                        /* no count is larger than 16 */
         and     eax, ebp

@@ -98,9 +98,13 @@ static void next_segments(struct job *job, struct random *random, const struct i
     const int most = frame->width < SEGMENT_LENGTH ? frame->width : SEGMENT_LENGTH;
 
     next_plane(job, random, f);
-    job->count = random_int(random, 1, QUEUE_LENGTH);
+    const int drawn = random_int(random, 1, QUEUE_LENGTH);
+    job->count = (drawn + 3) / 4 * 4;
     job->segments = job->room + QUEUE_LENGTH - job->count;
-    for (int i = 0; i < job->count; i++) {
+    for (int i = drawn; i < job->count; i++) {
+        job->segments[i] = (struct segment){.length = 1};
+    }
+    for (int i = 0; i < drawn; i++) {
         const bool whole = most == SEGMENT_LENGTH && random_int(random, 0, 1);
         const int count = whole ? SEGMENT_LENGTH : random_int(random, 1, most);
         const int room = frame->width - count;
@@ -163,6 +167,9 @@ static bool same(struct job *job, char text[ASM_TEXT])
 
     for (int i = 0; i < job->count; i++) {
         const struct segment *s = &job->segments[i];
+        if (s->count == 0) {
+            continue; /* fills up the last four */
+        }
         const double at[3] = {s->at.one_over_z, s->at.u_over_z, s->at.v_over_z};
         asm_twin_segment(twin->pixels + (s->pixels - own->pixels), s->count, at, (int)s->length,
                          &job->texture, job->g);

@@ -12,7 +12,7 @@ static const struct recording {
     const char *name;
     struct vertex v[3];
 } recordings[] = {
-    {"A long span: its three segments, and the next row's first",
+    {"A 40-pixel span: its two whole segments, and the next row's",
      {{0, 0, 1, 0, 0}, {40, 0, 3, 160, 0}, {0, 40, 2, 0, 160}}},
     {"Four whole segments of a 64-pixel span: no lane stops early",
      {{0, 0, 1, 0, 0}, {64, 0, 3, 160, 0}, {0, 30, 2, 0, 160}}},

@@ -187,16 +187,15 @@ static bool add_call(const struct segment *segments, int count)
 {
     struct step_segment **calls =
         realloc(target->calls, (size_t)(target->call_count + 1) * sizeof *calls);
-    struct step_segment *kept = malloc((size_t)(count + STEPS_LANES) * sizeof *kept);
+    struct step_segment *kept = malloc((size_t)count * sizeof *kept);
 
     target->calls = calls ? calls : target->calls;
     if (!calls || !kept) {
         free(kept);
         return false;
     }
-    for (int i = 0; i < count + STEPS_LANES; i++) {
-        const struct segment *segment = &segments[i < count ? i : count - 1];
-        kept[i] = (struct step_segment){segment->pixels, segment->count};
+    for (int i = 0; i < count; i++) {
+        kept[i] = (struct step_segment){segments[i].pixels, segments[i].count};
     }
     calls[target->call_count++] = kept;
     return true;

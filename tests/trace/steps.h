@@ -10,7 +10,7 @@
 #define STEPS_LANES 4
 #define STEPS_REGISTERS 32 /* rax rcx rdx rbx rsp rbp rsi rdi, r8 to r15; xmm0 to 15 */
 
-/* What a lane draws: `count` pixels from `pixels` on. */
+/* What a lane draws: `count` pixels from `pixels` on. Empty ones fill up the last four. */
 struct step_segment {
     uint32_t *pixels;
     int count;
@@ -20,7 +20,7 @@ struct step {
     int line;     /* of stage5_asm/span.S */
     int call;     /* of the routine, counted from 0 */
     int group;    /* of four segments, counted from 0 in each call */
-    const struct step_segment *segments; /* of the group's lanes, without one as the lane before */
+    const struct step_segment *segments; /* of the group's lanes */
     bool drawing; /* its pixels; before that, where its segments start and how they step */
     int reg;      /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
     int lane, pixel; /* a store into the frame: the lane's pixel, counted from 0; else lane is -1 */
@@ -34,7 +34,7 @@ struct step {
 
 struct steps {
     struct step *items;
-    struct step_segment **calls; /* their segments, and as many more as fill a group */
+    struct step_segment **calls; /* their segments */
     int count, call_count;
     bool no_memory; /* some are missing */
 };

@@ -191,7 +191,8 @@ static bool is_in_row(const struct trace *trace, const struct step *step)
     int x, y;
 
     for (int i = 0; i < STEPS_LANES && step->group >= 0; i++) {
-        if (pixel_at(trace, step->segments[i].pixels, &x, &y) &&
+        const struct step_segment *segment = &step->segments[i];
+        if (segment->count > 0 && pixel_at(trace, segment->pixels, &x, &y) &&
             (trace->row == TRACE_ALL_ROWS || trace->row == y)) {
             return true;
         }
@@ -207,10 +208,12 @@ static void print_group(FILE *file, const struct trace *trace, const struct step
             step->drawing ? "their pixels" : "where they start, and how they step");
     for (int i = 0; i < STEPS_LANES; i++) {
         const struct step_segment *segment = &step->segments[i];
-        char text[32];
+        char text[32] = "none";
         int x, y;
-        pixel_at(trace, segment->pixels, &x, &y);
-        snprintf(text, sizeof text, "%d-%d,%d", x, x + segment->count - 1, y);
+        if (segment->count > 0) {
+            pixel_at(trace, segment->pixels, &x, &y);
+            snprintf(text, sizeof text, "%d-%d,%d", x, x + segment->count - 1, y);
+        }
         fprintf(file, "%13s", text);
     }
     fputs("\n", file);

@@ -22,8 +22,7 @@ static int stored(const struct trace *trace, int texels[WIDTH * HEIGHT])
             continue;
         }
         const struct step_segment *segment = &step->segments[step->lane];
-        const bool repeats = step->lane > 0 && segment->pixels == segment[-1].pixels;
-        if (step->pixel < segment->count && !repeats) {
+        if (step->pixel < segment->count) {
             int *texel = &texels[segment->pixels + step->pixel - trace->frame.pixels];
             twice += *texel != 0;
             *texel = (int)(uint32_t)step->value.general;
