@@ -137,14 +137,12 @@ bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
 }
 
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
-                      struct accuracy accuracy[], void (*progress)(int done, int frames),
-                      struct error *error)
+                      struct accuracy accuracy[], struct error *error)
 {
     struct meter meter = {0};
     double *jitter = calloc((size_t)count + 1, sizeof *jitter);
     const bool memory = jitter && meter_create(&meter, source->size.width, source->size.height);
-    bool done = memory &&
-                jitter_measure(&meter, source, chosen, count, jitter, NULL, progress, error);
+    bool done = memory && jitter_measure(&meter, source, chosen, count, jitter, NULL, error);
 
     if (!memory || (done && !accuracy_frames(&meter, &source->triangles, chosen, count,
                                              accuracy))) {

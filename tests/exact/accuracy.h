@@ -48,11 +48,9 @@ bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
                     const struct stage *stage, struct accuracy *accuracy);
 
 /* Measures `count` stages on one source, jitter included, against the vertices as given; the
- * shifted frames are made once for all stages. `progress`, unless NULL, is called after each of
- * them. The source is left as it was, save on failure. */
+ * shifted frames are made once for all stages. The source is left as it was, save on failure. */
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
-                      struct accuracy accuracy[], void (*progress)(int done, int frames),
-                      struct error *error);
+                      struct accuracy accuracy[], struct error *error);
 
 /* The columns with which a line of CSV begins, and their values. Those that are not measured are
  * empty; with NULL all are. */

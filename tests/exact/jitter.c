@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "tests/program/progress.h"
 
 /* A position error in texels; NAN where there is none. */
 struct drift {
@@ -54,7 +55,7 @@ static void jitter_frame(struct jitter *jitter, int change, struct meter *meter,
  * began. */
 static bool measure_frames(struct meter *meter, struct source *source,
                            const struct stage *const chosen[], int count, struct jitter *jitter,
-                           void (*progress)(int done, int frames), struct error *error)
+                           struct error *error)
 {
     for (int frame = JITTER_FRAMES - 1; frame >= 0; frame--) {
         if (!source_clip(source, frame * JITTER_SHIFT, 0, error)) {
@@ -69,9 +70,7 @@ static bool measure_frames(struct meter *meter, struct source *source,
             jitter_frame(&jitter[i], frame + 1, meter, &source->triangles,
                          i < count ? chosen[i] : NULL, scale);
         }
-        if (progress) {
-            progress(JITTER_FRAMES - frame, JITTER_FRAMES);
-        }
+        progress("accuracy: jitter", 1 - (double)frame / JITTER_FRAMES);
     }
     return true;
 }
@@ -93,8 +92,7 @@ static double jitter_result(const struct jitter *jitter, double frames[JITTER_FR
 }
 
 bool jitter_measure(struct meter *meter, struct source *source, const struct stage *const chosen[],
-                    int count, double rms[], double frames[][JITTER_FRAMES],
-                    void (*progress)(int done, int frames), struct error *error)
+                    int count, double rms[], double frames[][JITTER_FRAMES], struct error *error)
 {
     const size_t pixels = meter_pixels(meter), rows = (size_t)count + 1;
     struct jitter *jitter = calloc(rows, sizeof *jitter);
@@ -104,7 +102,8 @@ bool jitter_measure(struct meter *meter, struct source *source, const struct sta
     for (size_t i = 0; measured && i < rows; i++) {
         jitter[i].previous = previous + i * pixels;
     }
-    measured = measured && measure_frames(meter, source, chosen, count, jitter, progress, error);
+    measured = measured && measure_frames(meter, source, chosen, count, jitter, error);
+    progress(NULL, 0);
     for (int i = 0; measured && i <= count; i++) {
         rms[i] = jitter_result(&jitter[i], frames ? frames[i] : NULL);
     }

@@ -13,10 +13,10 @@
  * far it moved since the previous frame, over the pixels that showed the exact answer's surface in
  * both; 0 where there are none. rms[count] is the ruler's own floor: the same of a perfect mapper,
  * seen through the ruler. `frames`, unless NULL, has count + 1 rows too: frames[i][f] is that of
- * the change from frame f - 1 to f alone, NAN for f = 0. `progress`, unless NULL, is called after
- * each frame. The source ends unshifted, save on failure. */
+ * the change from frame f - 1 to f alone, NAN for f = 0. The source ends
+ * unshifted, save on failure. */
 bool jitter_measure(struct meter *meter, struct source *source, const struct stage *const chosen[],
                     int count, double rms[], double frames[][JITTER_FRAMES],
-                    void (*progress)(int done, int frames), struct error *error);
+                    struct error *error);
 
 #endif

@@ -6,13 +6,7 @@
 #include "tests/files/file.h"
 #include "tests/exact/accuracy.h"
 #include "tests/program/commands.h"
-#include "tests/program/progress.h"
 #include "tests/program/table.h"
-
-static void show_progress(int done, int frames)
-{
-    progress("accuracy: jitter", (double)done / frames);
-}
 
 static void print_row(const struct stage *stage, const struct accuracy *a)
 {
@@ -88,8 +82,7 @@ static enum outcome run(const struct options *options, struct error *error)
         (!csv || !strpbrk(source.name, ",\"\n") ||
          error_set(error, "--csv: no commas or quotes in the name %s", source.name)) &&
         (!csv || file_possible(csv, error)) &&
-        accuracy_measure(&source, chosen, count, accuracy, show_progress, error);
-    progress(NULL, 0);
+        accuracy_measure(&source, chosen, count, accuracy, error);
     if (done) {
         print_table(&source, chosen, count, accuracy);
     }

@@ -150,7 +150,7 @@ static bool measure_jitter(struct curve *curve, struct error *error)
     const bool done = (meter_create(&meter, row.source.size.width, row.source.size.height) ||
                        error_set(error, "curves: no memory")) &&
                       jitter_measure(&meter, &row.source, chosen.items, chosen.count, rms, frames,
-                                     NULL, error);
+                                     error);
     meter_destroy(&meter);
     source_close(&row.source);
     for (int i = 0; done && i < chosen.count; i++) {

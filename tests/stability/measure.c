@@ -202,8 +202,7 @@ static bool measure_with(struct meter *meter, const struct measure *measure, str
     double jitter[STABILITY_STAGES + 1];
     struct accuracy accuracy;
     bool memory = measure->kind != BY_JITTER ||
-                  jitter_measure(meter, source, chosen->items, chosen->count, jitter, NULL, NULL,
-                                 error);
+                  jitter_measure(meter, source, chosen->items, chosen->count, jitter, NULL, error);
 
     for (int i = 0; memory && i < chosen->count; i++) {
         const struct stage *stage = chosen->items[i];
