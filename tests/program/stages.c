@@ -22,7 +22,7 @@ static struct stage table[] = {
     {"stage3_fixed28_4", "3", stage3_draw_triangle, trace3_draw_triangle,
      .grid = 16, .segment_length = 1,
      .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION | RARELY_WRONG,
-     .rounding = 0x1p-53, .tie = 0x1p-20},
+     .rounding = 0x1p-53, .tie = 0x1p-21 + 0x1p-20}, /* added, and kept inside the own range */
     {"stage4_subdivide", "4", stage4_draw_triangle, trace4_draw_triangle, SUBDIVIDED,
      .segment_length = 16, .promises = COVERAGE | OWN_RANGE | TEXELS | DIRECTION},
 #ifdef TEXMAP_STAGE5
