@@ -43,32 +43,39 @@ static bool open_source(struct source *source, const char *name)
     return true;
 }
 
-/* How many random triangles and meshes are drawn as the stage promises; the first that is not. */
-static bool random_cases(const struct subject *subject, const char *source, double most,
-                         char text[TEXT])
+/* How many of the cases that `make` makes are drawn as the stage promises; the first that is not. */
+static bool all_right(const struct stage *stage, void (*make)(struct judge_case *one, uint64_t i),
+                      const char *turned, char text[TEXT])
 {
     char first[JUDGE_TEXT] = "";
     struct judge judge;
     int right = 0;
 
-    (void)source, (void)most;
     if (!judge_create(&judge)) {
         exit(2);
     }
     for (int i = 0; i < CASES; i++) {
         char what[JUDGE_TEXT] = "";
         struct judge_case one;
-        case_make(&one, (uint64_t)i);
-        const bool holds = judge_case(&judge, &subject->own, &one, what);
+        make(&one, (uint64_t)i);
+        const bool holds = judge_case(&judge, stage, &one, what);
         right += holds;
         if (!holds && !first[0]) {
             memcpy(first, what, sizeof first);
         }
     }
     judge_destroy(&judge);
-    snprintf(text, TEXT, "%d of %d right%s%s", right, CASES,
-             first[0] ? "; the first that is not:\n" : "", first);
+    snprintf(text, TEXT, "%d of %d right%s%s%s%s", right, CASES,
+             first[0] ? "; the first that is not" : "", first[0] ? turned : "",
+             first[0] ? ":\n" : "", first);
     return right == CASES;
+}
+
+static bool random_cases(const struct subject *subject, const char *source, double most,
+                         char text[TEXT])
+{
+    (void)source, (void)most;
+    return all_right(&subject->own, case_make, "", text);
 }
 
 /* Draws the triangle turned by half a turn, and turns what was drawn back: the one fill rule
@@ -99,44 +106,31 @@ static void draw_turned(struct image *frame, const struct image *texture, const 
 }
 
 /* On half pixels, rows apart by powers of two or level: a float steps such edges exactly. */
+static void make_turned(struct judge_case *one, uint64_t i)
+{
+    struct random random = random_start(i);
+    const int height = 1 << random_int(&random, 0, 4);
+    const float top = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1 - 4 * height) / 2;
+
+    *one = (struct judge_case){.number = i, .width = TURNED_SIDE, .height = TURNED_SIDE,
+                               .texture_width = 1, .texture_height = 1, .count = 1};
+    for (int k = 0; k < 3; k++) {
+        one->v[0][k] = (struct vertex){
+            .x = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1) / 2, .z = 1,
+            .y = top + (float)(k == 0 ? 0 : random_int(&random, 0, 2) * height)};
+    }
+}
+
 static bool other_rule(const struct subject *subject, const char *source, double most,
                        char text[TEXT])
 {
-    struct random random = random_start(202);
     struct stage turned = subject->own;
-    char first[JUDGE_TEXT] = "";
-    struct judge judge;
-    int right = 0;
 
     (void)source, (void)most;
     turned_draw = turned.draw;
     turned.draw = draw_turned;
     turned.promises = COVERAGE;
-    if (!judge_create(&judge)) {
-        exit(2);
-    }
-    for (int i = 0; i < CASES; i++) {
-        const int height = 1 << random_int(&random, 0, 4);
-        const float top = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1 - 4 * height) / 2;
-        struct judge_case one = {.number = (uint64_t)i, .width = TURNED_SIDE,
-                                 .height = TURNED_SIDE, .texture_width = 1, .texture_height = 1,
-                                 .count = 1};
-        char what[JUDGE_TEXT] = "";
-        for (int k = 0; k < 3; k++) {
-            one.v[0][k] = (struct vertex){
-                .x = (float)random_int(&random, -1, 2 * TURNED_SIDE - 1) / 2, .z = 1,
-                .y = top + (float)(k == 0 ? 0 : random_int(&random, 0, 2) * height)};
-        }
-        const bool holds = judge_case(&judge, &turned, &one, what);
-        right += holds;
-        if (!holds && !first[0]) {
-            memcpy(first, what, sizeof first);
-        }
-    }
-    judge_destroy(&judge);
-    snprintf(text, TEXT, "%d of %d right%s%s", right, CASES,
-             first[0] ? "; the first that is not, turned by half a turn:\n" : "", first);
-    return right == CASES;
+    return all_right(&turned, make_turned, ", turned by half a turn", text);
 }
 
 static struct accuracy accuracy_of(const struct subject *subject, const char *name)
