@@ -64,7 +64,8 @@ END
 
 fails 'a limit on the size of files: outputs stay as they were' 'cannot be written' \
     "$writes
-$prints" 'ulimit -f 0;' ''
+$prints
+scene --scene mesh -o OUT.tri" 'ulimit -f 0;' ''
 fails 'standard output that fails: no file is written' 'standard output' "$prints" '' '> /dev/full'
 text=$( (ulimit -f 0; exec "$texmap" help) 2>&1 > out/new)
 case $?$text in '2texmap: standard output: '*) ;; *) why=$text ;; esac

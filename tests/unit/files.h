@@ -21,7 +21,4 @@ unsigned char *test_get_file(const char *path, size_t *size);
 struct image;
 void test_image(struct image *image, int width, int height);
 
-/* Is there anything of that name? */
-bool test_file_exists(const char *path);
-
 #endif
