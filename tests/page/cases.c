@@ -14,8 +14,9 @@ static void print_value(FILE *out, struct expectation expected, double value)
     if (isnan(value)) {
         fprintf(out, "<td>draws nothing</td>");
     } else {
-        fprintf(out, "<td class=\"%s\">%.3g %s</td>", verdict, fabs(value) < 5e-4 ? 0 : value,
-                verdict);
+        fprintf(out, fabs(value) < 1000 ? "<td class=\"%s\">%.3g %s</td>"
+                                        : "<td class=\"%s\">%.0f %s</td>",
+                verdict, fabs(value) < 5e-4 ? 0 : value, verdict);
     }
 }
 
@@ -23,8 +24,8 @@ static void print_value(FILE *out, struct expectation expected, double value)
 static void print_row(FILE *out, const struct stability_case *row, const double values[],
                       int count)
 {
-    fprintf(out, "<tr><th scope=\"row\"><a href=\"#cases?case=%s\">%s</a></th><td>%s, %s</td>",
-            row->name, row->name, row->measure->name, row->measure->unit);
+    fprintf(out, "<tr><th scope=\"row\"><a href=\"#cases?case=%s\">%s</a></th><td>%s, %s: %s</td>",
+            row->name, row->name, row->measure->name, row->measure->unit, row->measure->what);
     for (int i = 0; i < count; i++) {
         print_value(out, row->expected[i], values[i]);
     }

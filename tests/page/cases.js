@@ -64,10 +64,17 @@ class Cases extends Part {
     }
     const button = element("button", { type: "button" }, "Open in the stepper");
     button.addEventListener("click", () => {
-      location.hash = `#step?case=${article.dataset.name}&triangle=0&stage=2&at=0`;
+      location.hash = `#step?case=${article.dataset.name}&stage=2` +
+        (thin(triangles[0]) ? "&view=near" : "");
     });
     article.querySelector(".actions").append(button);
   }
+}
+
+/* Hardly wider than a pixel? All of it at once would show nothing. */
+function thin([x, y, , , , x1, y1, , , , x2, y2]) {
+  const [dx, dy] = [x2 - x, y2 - y];
+  return Math.abs((x1 - x) * dy - dx * (y1 - y)) < Math.abs(dx) + Math.abs(dy);
 }
 
 /* The window of a frame that fits these triangles. */

@@ -141,7 +141,8 @@ function explainEdge(run, { v, side, corners, points }, g) {
       "the centre of the first pixel.",
     slope,
     f`N = x0 dy + prestep dx + D \u2212 1 = ${x0} \u00b7 ${dy} + ${prestep} \u00b7 ${dx} + ` +
-      f`${v.denominator} \u2212 1 = ${n}  (sixteenths; x0 from pixel ${first} on)`,
+      f`${v.denominator} \u2212 1 = ${n}  (x0 counted from pixel ${first} on; ` +
+      "D \u2212 1 makes the division a ceiling)",
     f`x = ${first} + floor(N / D) = ${first} + floor(${n} / ${v.denominator}) = ${v.x}`,
     f`error = N \u2212 ${v.x - first} D = ${v.error}`,
     f`prestep_x = ${v.x} \u2212 ${top.x} = ${v.x - top.x},  prestep_y = ${prestep}/16 = ` +
@@ -188,7 +189,8 @@ function choice(points, name, up) {
     (hi < lo ? `, on a border everywhere: ${s(hi === SIDE - 1 ? hi : lo)}` : "");
 }
 const ROUNDED = " On the border between two texels the one that lies ahead is taken: so a " +
-  "texture that begins at its border, u = \u22121/2, begins with texel 0, not the one before.";
+  "texture that begins at its border, u = \u22121/2, begins with texel 0. lo .. hi: the texels " +
+  "between the smallest and the largest corner u; a span's ends are clamped to them.";
 
 function explainSpan(run, { v, y, first, end, left, right, points }) {
   const list = end > first ? `pixels ${first} .. ${end - 1}: ${end - first}` : "no pixel";
@@ -213,7 +215,7 @@ function truth(run, event, x) {
 }
 
 /* What bounds a segment's chord: over du texels between depths in the ratio r it errs by at most
- * |du| (sqrt r - 1)/(sqrt r + 1). */
+ * |du| |sqrt r - 1| / (sqrt r + 1). */
 function chordOf(run, event) {
   const du = event.v.u_end - event.v.u, { z } = truth(run, event, event.x);
   const end = truth(run, event, event.x + event.v.length).z;
@@ -229,8 +231,8 @@ function explainSegment(run, event) {
     f`u = (u/z) / (1/z) = ${v.u} here, ${v.u_end} at the end, ${plural(v.length, "pixel")} on`,
     f`du = ${v.u_end} \u2212 ${v.u} = ${du},  step = du / ${v.length} = ` +
       f`${v.u_step_16_16 / FIXED} texel a pixel`,
-    f`r = z_end / z = ${end} / ${z} = ${end / z},  bound = |du| (\u221ar \u2212 1)/(\u221ar + 1) ` +
-      f`= ${bound} texel`,
+    f`r = z_end / z = ${end} / ${z} = ${end / z},  bound = |du| |\u221ar \u2212 1| / ` +
+      f`(\u221ar + 1) = ${bound} texel`,
     ["u", "v"].map((n) => choice(points, n, v[`${n}_end`] >= v[n]))];
 }
 
@@ -251,11 +253,12 @@ function explainPixel(run, event, g, was, exact) {
   if (run.stage === 4) {
     const segment = run.at(event.segment), p = x - segment.x, { u } = truth(run, event, x);
     return [title, "No divide: one addition each for u and v, in 16.16 fixed point. The half " +
-      "that rounds was added at the segment's start, so a shift by 16 leaves the texel.",
-    both.map((n) => f`${n} = start + ${p} step = ${segment.v[`${n}_16_16`] / FIXED} + ${p} ` +
+      "that rounds, and 4/65536 for ties, were added at the segment's start: >> 16 is the texel.",
+    both.map((n) => `${n} + 1/2 ${segment.v[`${n}_end`] >= segment.v[n] ? "+" : "\u2212"} tie = ` +
+      f`start + ${p} step = ${segment.v[`${n}_16_16`] / FIXED} + ${p} ` +
       f`\u00b7 ${segment.v[`${n}_step_16_16`] / FIXED} = ${v[`${n}_16_16`] / FIXED}, >> 16: ` +
       `texel ${v[`texel_${n}`]}`),
-    f`u without the half = ${v.u}, the curve (u/z)/(1/z) = ${u}: error here ${v.u - u}, bound ` +
+    f`u = ${v.u}, the curve (u/z)/(1/z) = ${u}: error here ${v.u - u}, bound ` +
       s(chordOf(run, segment).bound),
     compared];
   }

@@ -5,6 +5,7 @@ const MARGIN = 26;          /* CSS pixels for the numbers along the border */
 const FIGURE_HEIGHT_MAX = 520;
 const CELLS_MAX = 60;       /* CSS pixels a pixel of the frame is at most drawn with */
 
+const HANDLE_AWAY = 26;     /* CSS pixels from a vertex to its handle */
 const MARKS_FROM = 5;       /* such a cell has room for a cross */
 
 /* A window of a frame, each texel in one of two colours, in squares of 2^shift where there are
@@ -38,12 +39,14 @@ class Figure {
 
   listen(handle, i) {
     handle.addEventListener("pointerdown", (event) => {
+      const [x, y] = this.toFrame(event);
       handle.setPointerCapture(event.pointerId);
+      this.grab = [x - this.given[i].x, y - this.given[i].y];
       this.dragged = i;
     });
     handle.addEventListener("pointermove", (event) => {
       if (this.dragged === i) {
-        this.moved(i, ...this.toFrame(event));
+        this.moved(i, ...this.toFrame(event).map((c, axis) => c - this.grab[axis]));
       }
     });
     handle.addEventListener("lostpointercapture", () => { this.dragged = null; });
@@ -199,7 +202,12 @@ class Figure {
     const [x, y] = this.toCanvas(vertex.x, vertex.y);
     handle.hidden = !(x >= 0 && y >= 0 && x <= this.canvas.clientWidth &&
       y <= this.canvas.clientHeight);
-    handle.style.transform = `translate(${x}px, ${y}px)`;
+    const out = ["x", "y"].map((axis) => /* beside the vertex, not on its pixel */
+      this.given.reduce((sum, other) => sum + vertex[axis] - other[axis], 0));
+    const far = HANDLE_AWAY / (Math.hypot(...out) || 1);
+    handle.style.transform = `translate(` +
+      `${clamp(x + far * out[0], 17, this.canvas.clientWidth - 17)}px, ` +
+      `${clamp(y + far * out[1], 17, this.canvas.clientHeight - 17)}px)`;
     handle.setAttribute("aria-label", `Vertex ${name}: x ${show(vertex.x)}, y ` +
       `${show(vertex.y)}. Arrow keys move it.`);
   }

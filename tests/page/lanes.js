@@ -8,9 +8,9 @@ const STAGE4_OF = { interpolants: "draw_span", texel_at: "texel_at", line_setup:
 class Lanes extends Part {
   constructor() {
     const { recordings = [], missing } = JSON.parse(byId("lanes-data").textContent);
-    super("assembly", { at: whole(0, 0, 1e6),
+    super("assembly", { at: whole(undefined, 0, 1e6),
       recording: oneOf(0, recordings.map(({ name }, i) => [i, name])) });
-    this.recordings = recordings;
+    Object.assign(this, { recordings, steps: [] });
     byId("lanes").hidden = Boolean(missing);
     if (missing) {
       byId("lanes-missing").textContent = `There is no recording: ${missing}.`;
@@ -29,10 +29,11 @@ class Lanes extends Part {
     this.set({ recording: 0 });
   }
 
-  /* Another recording begins at its first step, but where a step is named. */
-  set({ recording = this.state.recording, at = 0 }) {
+  /* Another recording begins where a lane changes first, but where a step is named. */
+  set({ recording = this.state.recording, at }) {
     this.steps = (this.recordings[recording] || { steps: [] }).steps;
-    super.set({ recording, at: clamp(at, 0, Math.max(this.steps.length - 1, 0)) });
+    const first = this.steps.findIndex((step) => step[2]);
+    super.set({ recording, at: clamp(at ?? first, 0, Math.max(this.steps.length - 1, 0)) });
   }
 
   step(way) {
@@ -72,8 +73,8 @@ class Lanes extends Part {
     for (const [, register, meaning, lanes, lane, pixel] of done) {
       if (lane !== undefined) {
         stored[lane][pixel] = lanes[0];
-      } else if (register && meaning) {
-        registers.set(register, { meaning, lanes });
+      } else if (meaning || registers.has(register)) {
+        registers.set(register, { meaning, lanes: meaning || register[0] === "x" ? lanes : [] });
       }
     }
     return { registers, stored };
@@ -130,7 +131,8 @@ class Lanes extends Part {
         name === changed ? { class: "changed" } : {},
         element("th", { scope: "row" }, name), element("td", {}, meaning),
         ...Array.from({ length: LANES }, (_, i) => element("td", {},
-          /^lane/.test(meaning) ? (meaning[5] === String(i) ? lanes[0] : "") : lanes[i] ?? ""))));
+          /^lane/.test(meaning) ? (meaning[5] === String(i) ? lanes[0] : "")
+            : lanes[/2 and 3/.test(meaning) ? i - 2 : i] ?? ""))));
     byId("lanes-registers").replaceChildren(
       heads("register", "holds", "lane 0", "lane 1", "lane 2", "lane 3"),
       element("tbody", {}, ...rows));

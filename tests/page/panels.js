@@ -11,6 +11,9 @@ class Panels {
       byId("thumbs").append(thumb);
       return { n, thumb, canvas, says };
     });
+    document.querySelectorAll(".errors").forEach((list) =>
+      list.append(...ERROR_CLASSES.map(([name, text]) => element("li", {},
+        element("i", { class: "key", style: `background: var(--${name})` }), text))));
     this.sources = STEPPED.map((n) => byId(`source-${n}`).textContent.split("\n"));
   }
 
@@ -64,7 +67,8 @@ class Panels {
       }
       says.textContent = n === EXACT ? "what every stage is held against"
         : n === 5 ? "stage 4's frame, bit for bit"
-          : measured && list.length ? verdict(result) : "";
+          : !measured || !list.length ? "" : verdict(result) +
+            (n < 3 && result.largest === 1 ? ": truncated, off by one" : "");
     }
   }
 
@@ -134,7 +138,7 @@ function sameStep(event, earlier) {
 function drawValues(table, event, before) {
   const all = Object.entries(event ? event.v : {}).filter(([name]) => !/^y$|short/.test(name));
   const rows = all.map(([name, value]) => {
-    const was = before ? before.v[name] : undefined, changed = before && was !== value;
+    const was = before ? before.v[name] : undefined, changed = before && show(was) !== show(value);
     return element("tr", changed ? { class: "changed" } : {},
       element("th", { scope: "row" }, (changed ? "\u25cf " : "") + name),
       element("td", {}, before ? show(was) : ""), element("td", {}, show(value)));
@@ -181,11 +185,10 @@ function drawChords(run, event) {
   const fine = Array.from({ length: Math.floor((count - 1) / step) + 1 }, (_, i) => i * step);
   const worst = Math.max(...fine.map((p) => Math.abs(off(p)))), values = fine.map(curve);
   const bounds = segments.map((one) => chordOf(run, one).bound), bound = Math.max(0, ...bounds);
-  says.textContent = `Scanline ${span.y}, ${plural(count, "pixel")}. Above: u, the curve, and ` +
-    "what the stage has for it. Below: the difference" + (segments.length
-    ? `, at most ${show(worst, 3)} texel; the bound |du| (\u221ar \u2212 1)/(\u221ar + 1) is ` +
-      `${show(bound, 3)} for the steepest segment.`
-    : ": this stage divides at every pixel, so nothing but rounding is left.");
+  says.textContent = `Scanline ${span.y}, ${plural(count, "pixel")}. ` + (segments.length
+    ? `The difference is at most ${show(worst, 3)} texel; its bound |du| |\u221ar \u2212 1| / ` +
+      `(\u221ar + 1) is ${show(bound, 3)} for the steepest segment.`
+    : "This stage divides at every pixel, so nothing but rounding is left.");
   const along = [0, Math.max(count - 1, 1)], high = Math.max(worst, bound, 0.01);
   const upper = plot(c, [44, 12, width - 54, 150], along,
     [Math.min(...values), Math.max(...values)], "u");

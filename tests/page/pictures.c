@@ -25,7 +25,8 @@ static void print_row(FILE *out, const struct stage *stage, const struct accurac
 }
 
 #define HEAD "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\">" \
-    "<table><caption>The room, frame %d, %dx%d pixels, against the exact answer</caption><thead>" \
+    "<table><caption>The room, frame %d, %dx%d pixels, against the exact answer; coda: " \
+    "an exact method after stage 5, a divide for every pixel, eight at a time</caption><thead>" \
     "<tr><th scope=\"col\">stage</th><th scope=\"col\">wrong texels</th>" \
     "<th scope=\"col\">position, RMS texels</th><th scope=\"col\">bias of u</th>" \
     "<th scope=\"col\">bias of v</th><th scope=\"col\">largest error, texels</th>" \

@@ -28,12 +28,10 @@ class Pictures extends Part {
       with: oneOf(EXACT, labels),
       mode: oneOf("one", ["one", "blink", "swipe"].map((mode) => [mode, mode])),
       show: oneOf("picture", [["picture", "picture"], ["error", "error"]]),
-      zoom: whole(1, 1, 16),
+      zoom: { ...whole(1, 1, 16), says: (n) => `${n}\u00d7` },
       at: several([160, 120], ",", 0, ROOM_SIZE[0] - 1),
     });
     Object.assign(this, { rooms, names: new Map(labels), canvas: byId("picture"), split: 0.5 });
-    byId("error-legend").append(...ERROR_CLASSES.map(([name, text]) => element("li", {},
-      element("i", { class: "key", style: `background: var(--${name})` }), text)));
     this.canvas.addEventListener("pointermove", (event) => this.point(event, false));
     this.canvas.addEventListener("pointerdown", (event) => this.point(event, true));
     this.canvas.addEventListener("keydown", (event) => {
@@ -88,7 +86,7 @@ class Pictures extends Part {
     }
   }
 
-  paint(c, n, width, height) {
+  paint(c, n, width, height, atRight) {
     const { x, y, w, h } = this.view(), room = this.rooms.get(n);
     const at = (i, j) => (y + j) * ROOM_SIZE[0] + x + i;
     drawPixels(c, (i, j) => {
@@ -102,10 +100,11 @@ class Pictures extends Part {
     c.strokeRect((cx - x) * width / w - 1, (cy - y) * height / h - 1, width / w + 2,
       height / h + 2);
     c.fillStyle = colour("paper");
-    c.fillRect(0, 0, c.measureText(this.names.get(n)).width + 12, 20);
+    const label = c.measureText(this.names.get(n)).width + 12, from = atRight ? width - label : 0;
+    c.fillRect(from, 0, label, 20);
     c.fillStyle = colour("ink");
     c.textBaseline = "middle";
-    c.fillText(this.names.get(n), 6, 10);
+    c.fillText(this.names.get(n), from + 6, 10);
   }
 
   draw() {
@@ -119,7 +118,7 @@ class Pictures extends Part {
       c.rect(left, 0, width, height);
       c.clip();
       c.clearRect(0, 0, width, height);
-      this.paint(c, state.with, width, height);
+      this.paint(c, state.with, width, height, true);
       c.restore();
       line(c, left, 0, left, height, colour("now"), 3);
     }

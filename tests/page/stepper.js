@@ -24,7 +24,7 @@ class Stepper extends Part {
     this.figure = new Figure((i, x, y) => this.move(i, x, y), (x, y) => this.pick(x, y),
       (event) => this.key(event));
     this.panels = new Panels((stage) => this.set({ stage }));
-    byId("transport").addEventListener("wheel", (event) => {
+    byId("step-slider").addEventListener("wheel", (event) => {
       event.preventDefault();
       this.step(Math.sign(event.deltaY));
     }, { passive: false });
@@ -51,11 +51,16 @@ class Stepper extends Part {
   set(change) {
     const { stages, state } = this, event = this.run && this.run.at(state.at);
     const chosen = change.v === undefined && (change.case ?? change.triangle) !== undefined;
-    Object.assign(state, chosen ? { at: 0, triangle: 0, ...FIRST } : {}, change);
+    Object.assign(state, chosen ? { at: 0, triangle: 0, view: "fit", ...FIRST } : {}, change);
+    if (change.snap && change.case === undefined) { /* chosen just now */
+      const snapped = (c) => Math.round(c * state.snap) / state.snap;
+      Object.assign(state, { case: "", v: state.v.map((c, k) => (k % 5 < 2 ? snapped(c) : c)) });
+    }
     const found = this.cases.get(state.case);
     if (found) {
       state.triangle = Math.min(state.triangle, found.triangles.length - 1);
       Object.assign(state, { size: found.size, v: found.triangles[state.triangle] });
+      state.view = chosen && thin(state.v) ? "near" : state.view;
     }
     stages.open(...state.size);
     stages.segmentLength(state.length);
@@ -133,10 +138,11 @@ class Stepper extends Part {
   window() {
     const { state } = this, [width, height] = state.size;
     const event = this.run.at(state.at);
-    if (state.view === "near" && event && event.y !== undefined) {
-      const x = Math.floor(event.x !== undefined ? event.x : event.v.x || 0);
+    if (state.view === "near" && event) {
+      const [x, y] = (event.y === undefined ? state.v /* of the gradients: vertex A */
+        : [event.x ?? event.first ?? event.v.x, event.y]).map(Math.floor);
       const w = Math.min(NEAR, width), h = Math.min(NEAR * 3 / 4, height);
-      return { x: clamp(x - w / 2, 0, width - w), y: clamp(event.y - h / 2, 0, height - h), w, h };
+      return { x: clamp(x - w / 2, 0, width - w), y: clamp(y - h / 2, 0, height - h), w, h };
     }
     return width <= 32 ? { x: 0, y: 0, w: width, h: height } : fit([state.v], state.size);
   }

@@ -88,7 +88,9 @@ class Swim extends Part {
     });
     says.textContent = n === EXACT ? "Exact. The texture goes along with the wall."
       : `Stage ${n}: ${stageOf(n).name}. ${plural(changed, "pixel")} here changed by ` +
-        `${SWIM_CHANGE} texels or more${jumps ? `; vertex ${jumps} jumped` : ""}.`;
+        `${SWIM_CHANGE} texels or more` +
+        (jumps ? `; ${jumps.length > 1 ? "vertices" : "vertex"} ${[...jumps].join(", ")} jumped.`
+          : ".");
   }
 
   /* The frames are measured a few at a time, so that the page goes on meanwhile. */

@@ -32,10 +32,35 @@ static const struct {
 static const char *const drawing[VECTORS] = {"u",         "v",           "step of u",
                                              "step of v", "texel index", "v row"};
 
-static const char *vector_name(const struct step *step, const char *macro)
+/* What is not yet, or no more, what the tables above say. */
+static const struct {
+    const char *macro, *mnemonic;
+    int vector;
+    const char *name;
+} between[] = {
+    {"", "movsd", 10, "length 0 and 1"},     {"", "movhpd", 10, "length 0 and 1"},
+    {"", "cvtpd2ps", 10, "length 0 and 1"},  {"", "movsd", 11, "length 2 and 3"},
+    {"", "movhpd", 11, "length 2 and 3"},    {"", "cvtpd2ps", 11, "length 2 and 3"},
+    {"", "movaps", 11, "1"},                 {"", "divps", 11, "1 / length"},
+    {"line_setup", "subps", 2, "du"},        {"line_setup", "subps", 3, "dv"},
+    {"line_setup", "movaps", 5, "65536 du"}, {"line_setup", "movaps", 7, "65536 dv"},
+    {"line_setup", "andps", 5, "sign of du"}, {"line_setup", "andps", 7, "sign of dv"},
+    {"line_setup", "orps", 5, "1/2 as du"},  {"line_setup", "orps", 7, "1/2 as dv"},
+    {"fetch", "movdqa", 4, "bits of u"},     {"fetch", "movdqa", 5, "bits of v"},
+    {"fetch", "psrld", 4, "texel of u"},     {"fetch", "psrld", 5, "in between"},
+    {"fetch", "punpckhqdq", 4, "index 2 and 3"}, {"", "pslld", 2, "step of u"}};
+
+static const char *vector_name(const struct step *step, const char *macro, const char *code)
 {
     const char *name = step->drawing ? drawing[step->reg - 16] : NULL;
 
+    for (size_t i = 0; i < sizeof between / sizeof between[0]; i++) {
+        const size_t length = strlen(between[i].mnemonic);
+        if (between[i].vector == step->reg - 16 && strcmp(between[i].macro, macro) == 0 &&
+            strncmp(code, between[i].mnemonic, length) == 0 && code[length] == ' ') {
+            return between[i].name;
+        }
+    }
     for (size_t i = 0; !step->drawing && !name && i < SETTING_UP; i++) {
         if (strcmp(setting_up[i].macro, macro) == 0 || !*setting_up[i].macro) {
             name = setting_up[i].names[step->reg - 16];
@@ -82,8 +107,7 @@ static struct meaning meaning_of(const struct step *step)
     code += strspn(code, " "); /* behind a label */
     if (step->reg >= 16) {
         const enum format format = vector_format(step, line->macro, code);
-        const bool divided = step->reg == 16 + 11 && format == FLOATS;
-        return (struct meaning){divided ? "1 / length" : vector_name(step, line->macro), format};
+        return (struct meaning){vector_name(step, line->macro, code), format};
     }
     const bool texel = step->lane >= 0 || /* stored, or just read */
                        (strncmp(code, "mov ", 4) == 0 && strstr(code, "[r8 + "));
