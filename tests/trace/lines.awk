@@ -17,41 +17,18 @@ BEGIN {
     print "        .endm"
 }
 
-# The line without its comments; `inside` says whether a comment goes on in the next.
-function code_of(line,    code, at) {
-    code = ""
-    while (line != "") {
-        if (inside) {
-            at = index(line, "*/")
-            if (!at)
-                return code
-            line = substr(line, at + 2)
-            inside = 0
-        } else {
-            at = index(line, "/*")
-            if (!at)
-                return code line
-            code = code substr(line, 1, at - 1)
-            line = substr(line, at + 2)
-            inside = 1
-        }
-    }
-    return code
-}
-
+# A line within a comment is taken for code where it begins like that: what is added to it there
+# stays a comment.
 {
     text[NR] = $0 == "" ? " " : $0
     gsub(/\\/, "&&", text[NR])
     gsub(/"/, "\\\\&", text[NR])
     gsub(routine, routine "_copy")
-    was_inside = inside
-    code = code_of($0)
-    if (!was_inside && match(code, /^[A-Za-z_0-9]+:/)) {
+    if (match($0, /^[A-Za-z_0-9]+:/)) {
         print substr($0, 1, RLENGTH)
         $0 = substr($0, RLENGTH + 1)
-        code = substr(code, RLENGTH + 1)
     }
-    if (code ~ /^[ \t]+[a-z]/)
+    if (/^[ \t]+[a-z]/)
         print "        line_of " NR
     print
 }

@@ -10,19 +10,23 @@
 
 bool trace_available(const struct stage *stage, const char *option, struct error *error)
 {
+    const char *why = "not traceable: only stages 1 to 5 are";
+
     if (stage->traced) {
-        const char *missing = strcmp(stage->name, "stage5_asm") == 0 ? steps_missing() : NULL;
-        return !missing || error_set(error, "%s %s: %s", option, stage->name, missing);
+        why = strcmp(stage->name, "stage5_asm") == 0 ? steps_missing() : NULL;
+    } else if (strcmp(stage->name, "exact") == 0) {
+        why = "not traceable: it is no stage; its answer stands beside each pixel of stages 1 to 4";
+    } else if (strncmp(stage->name, "segment_", strlen("segment_")) == 0) {
+        why = "not traceable: of stage 4, only the one with 16 pixels a segment is";
     }
-    if (strcmp(stage->name, "exact") == 0) {
-        return error_set(error, "%s exact: not traceable: it is no stage; its answer stands "
-                                "beside each pixel of stages 1 to 4", option);
+    return !why || error_set(error, "%s %s: %s", option, stage->name, why);
+}
+
+static void draw_pieces(struct trace *trace)
+{
+    for (size_t i = 0; i < trace->pieces.count; i++) {
+        trace->stage->traced(&trace->frame, &trace->texture, trace->pieces.items[i].v);
     }
-    if (strncmp(stage->name, "segment_", strlen("segment_")) == 0) {
-        return error_set(error, "%s %s: not traceable: of stage 4, only the one with 16 pixels a "
-                                "segment is", option, stage->name);
-    }
-    return error_set(error, "%s %s: not traceable: only stages 1 to 5 are", option, stage->name);
 }
 
 /* The stage draws twice: first to count the events, then to keep them. */
@@ -30,9 +34,7 @@ static bool record(struct trace *trace)
 {
     for (int pass = 0; pass < 2; pass++) {
         trace_recorder = (struct trace_recorder){trace->events, trace->event_count, 0, NULL};
-        for (size_t i = 0; i < trace->pieces.count; i++) {
-            trace->stage->traced(&trace->frame, &trace->texture, trace->pieces.items[i].v);
-        }
+        draw_pieces(trace);
         trace->event_count = trace_recorder.count;
         if (pass == 0) {
             trace->events = malloc((size_t)(trace->event_count + 1) * sizeof *trace->events);
@@ -85,9 +87,7 @@ bool trace_steps(struct trace *trace)
     trace_recorder = (struct trace_recorder){0};
     steps_record(&trace->steps, pixels + first_row * trace->frame.stride,
                  pixels + (first_row + rows) * trace->frame.stride);
-    for (size_t i = 0; i < trace->pieces.count; i++) {
-        trace->stage->traced(&trace->frame, &trace->texture, trace->pieces.items[i].v);
-    }
+    draw_pieces(trace);
     steps_record(NULL, NULL, NULL);
     return !trace->steps.no_memory;
 }
