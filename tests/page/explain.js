@@ -24,13 +24,13 @@ class Run {
     Object.assign(this, { stage, width, events: [], order: new Map() });
   }
 
-  /* Piece k of what clipping leaves of the triangle. */
-  add(events, vertices, k) {
+  /* The triangle's vertices as the stage has them, or those of a piece that clipping leaves. */
+  add(events, vertices) {
     this.last = {};
     this.corners = vertices.map((c) => ({ ...c, one_over_z: 1 / c.z, u_over_z: c.u / c.z,
       v_over_z: c.v / c.z, row: Math.ceil(c.y) })).sort((a, b) => a.y - b.y || a.x - b.x);
     for (const event of events) {
-      this.place(Object.assign(event, { points: this.corners, piece: k }), this.events.length);
+      this.place(Object.assign(event, { points: this.corners }), this.events.length);
       this.events.push(event);
     }
   }
@@ -236,18 +236,16 @@ function explainSegment(run, event) {
     ["u", "v"].map((n) => choice(points, n, v[`${n}_end`] >= v[n]))];
 }
 
-/* The exact answer in a pixel: its coordinate, and the texel. */
-function exactLine(name, value, got) {
-  const right = Math.floor(value + 0.5), same = (texel) => ((got - texel) & SIDE - 1) === 0;
-  const border = Math.abs(value + 0.5 - Math.round(value + 0.5)) < 1e-6;
-  return f`exact ${name} = ${value}: texel ${border ? `${s(right - 1)} or ` : ""}${right}, ` +
-    (same(right) || border && same(right - 1) ? "the same" : `not ${got}`);
+/* The exact answer in a pixel, and whether that texel was got. */
+function exactLine(name, { at, texel, other }, got) {
+  const same = [texel, texel + other].some((right) => ((got - right) & SIDE - 1) === 0);
+  return f`exact ${name} = ${at}: texel ${texel}${other ? f` or ${texel + other}` : ""}, ` +
+    (same ? "the same" : `not ${got}`);
 }
 
 function explainPixel(run, event, g, was, exact) {
   const { v, x } = event, title = `Pixel: pixel ${x}, ${event.y}`, both = ["u", "v"];
-  const compared = exact && exact[3]
-    ? both.map((n, i) => exactLine(n, exact[i], v[`texel_${n}`]))
+  const compared = exact ? both.map((n, i) => exactLine(n, exact[i], v[`texel_${n}`]))
     : "the exact answer does not cover this pixel";
   const z = f`z = 1 / (1/z) = 1 / ${v.one_over_z} = ${v.z}`, span = run.at(event.span).v;
   if (run.stage === 4) {

@@ -25,10 +25,11 @@ class Panels {
     this.waiting = setTimeout(() => this.drawCosts(stepper), 80);
   }
 
-  drawWhy({ run, state, stages, earlier }, event) {
+  drawWhy(stepper, event) {
+    const { run, state, earlier } = stepper;
     const lines = ({ formulas }) =>
       formulas.map((text) => element("p", { class: "formula" }, text));
-    const why = event ? explain(run, state.at, exactOf(stages, event))
+    const why = event ? explain(run, state.at, exactOf(stepper, event))
       : { title: "Nothing to draw", formulas: [],
         text: "The triangle has no area, once its vertices are rounded." };
     byId("why-title").textContent = why.title;
@@ -41,7 +42,7 @@ class Panels {
       const same = event && sameStep(event, earlier), there = earlier.at(same);
       this.drawSource(byId("source-before"), state.stage - 1, there);
       byId("source-before").querySelector(".formulas").replaceChildren(...(there
-        ? lines(explain(earlier, same, exactOf(stages, there)))
+        ? lines(explain(earlier, same, exactOf(stepper, there)))
         : [element("p", {}, `Stage ${state.stage - 1} has no such step.`)]));
     }
   }
@@ -118,8 +119,10 @@ function statementsOf(lines, event) {
   return Array.from({ length: end - first }, (_, i) => first + i);
 }
 
-function exactOf(stages, event) {
-  return event.x === undefined ? null : stages.exactAt(event.piece, event.x, event.y);
+/* The exact answer at a step's pixel; null where that is not covered, or was not measured. */
+function exactOf({ stages, measured, results }, event) {
+  const drawn = event.x !== undefined && measured && results.get(EXACT).frame[event.pixel];
+  return drawn ? stages.exactAt(event.x, event.y) : null;
 }
 
 /* The number of the step in the stage before that does the same; undefined where none does. */

@@ -104,10 +104,13 @@ class Stages {
       errors: this.array(Int16Array, this.wasm.page_errors(), 2 * size).slice() };
   }
 
-  /* Triangle k's exact answer at a pixel: u, v, z, and whether it covers it. */
-  exactAt(k, x, y) {
-    const address = this.wasm.page_exact_at(k, x, y);
-    return address ? Array.from(this.array(Float64Array, address, 4)) : null;
+  /* What is exact at a pixel that the exact answer draws, for u, then v: the coordinate, its texel,
+   * and how far from that, 1 or -1, lies another that is right too. */
+  exactAt(x, y) {
+    const at = this.wasm.page_places() + 16 * (y * this.width + x);
+    const words = this.array(Int16Array, at, 8), floats = this.array(Float32Array, at, 4);
+    return [0, 1].map((axis) => ({ at: words[4 * axis] - floats[2 * axis + 1],
+      texel: words[4 * axis], other: words[4 * axis + 1] }));
   }
 
   /* What a stage does with triangle k, event by event: kind, source line, pixel (counted from the

@@ -131,7 +131,7 @@ class Stepper extends Part {
   trace(stage) {
     const run = new Run(stage, this.state.size[0]);
     this.list.forEach((triangle, k) =>
-      run.add(this.stages.trace(stage, k), cornersOf(triangle, stageOf(stage).grid), k));
+      run.add(this.stages.trace(stage, k), cornersOf(triangle, stageOf(stage).grid)));
     return run;
   }
 

@@ -249,31 +249,5 @@ EXPORT(page_measure) const int *page_measure(int stage)
 /* Texel error in u, then in v, pixel by pixel; OTHER_SURFACE where the wrong surface is seen. */
 EXPORT(page_errors) const int16_t *page_errors(void) { return errors; }
 
-/* Triangle k's exact answer at a pixel, whether or not it covers it: u, v, z, and 1 where it does.
- * NULL where the triangle has no area. */
-EXPORT(page_exact_at) const double *page_exact_at(int k, int x, int y)
-{
-    static double answer[4];
-    struct exact_triangle triangle;
-    int first, end;
-
-    if (!exact_setup(&triangle, list.items[k].v)) {
-        return NULL;
-    }
-    const struct exact_point at = exact_at(&triangle, x, y);
-    exact_row(&triangle, y, meter.frame.width, &first, &end);
-    answer[0] = at.u;
-    answer[1] = at.v;
-    answer[2] = at.z;
-    answer[3] = x >= first && x < end;
-    return answer;
-}
-
-/* The vertex i of triangle k as a stage with `grid` positions a pixel has it: x and y. */
-EXPORT(page_rounded) const float *page_rounded(int k, int i, int grid)
-{
-    static struct vertex rounded;
-
-    rounded = exact_round(&list.items[k].v[i], grid);
-    return &rounded.x;
-}
+/* What is exact, pixel by pixel; set where the exact answer draws. */
+EXPORT(page_places) const struct place *page_places(void) { return meter.exact; }
