@@ -47,13 +47,3 @@ bool html_png(FILE *out, const struct image *image)
     free(bytes);
     return true;
 }
-
-void html_accuracy(FILE *out, const struct accuracy *a)
-{
-    fprintf(out, "<td>%.3g %%</td><td>", a->wrong_texel_pct);
-    if (a->position_rms < a->ruler_step) {
-        fprintf(out, "&lt; 1/%d</td>", (int)(1 / a->ruler_step));
-    } else {
-        fprintf(out, "%.3g</td>", a->position_rms);
-    }
-}

@@ -1,6 +1,6 @@
 /* Stage 5's assembly, step by step: recordings of the real routine, four lanes side by side. */
 
-const LANES = 4, LANE_PIXELS = 16, LANE_HEIGHT = 26;
+const LANES = 4;
 /* The function of stage 4 that a macro of span.S does for four segments. */
 const STAGE4_OF = { interpolants: "draw_span", texel_at: "texel_at", line_setup: "line_setup",
   fetch: "draw_segment", segments: "draw_span", "": "draw_span" };
@@ -97,32 +97,14 @@ class Lanes extends Part {
     this.drawSources();
   }
 
-  drawPixels(stored, step) {
+  /* A row for each lane, with the texel's u in the pixels that are stored. */
+  drawPixels(stored, [, , , , lane, pixel]) {
     const { segments } = this.recordings[this.state.recording];
-    const [c, width] = context(byId("lanes-pixels"), LANES * LANE_HEIGHT);
-    const label = 118, cell = (width - label) / LANE_PIXELS;
-    c.textBaseline = "middle";
-    segments.forEach(([x, y, count], lane) => {
-      const top = lane * LANE_HEIGHT;
-      c.fillStyle = colour("ink");
-      c.fillText(`lane ${lane}: ${x}, ${y}`, 0, top + LANE_HEIGHT / 2);
-      for (let i = 0; i < LANE_PIXELS; i++) {
-        const texel = stored[lane][i], now = step[4] === lane && step[5] === i;
-        c.fillStyle = colour(texel === undefined || i >= count ? "raised"
-          : i % 2 ? "texel-b" : "texel-a");
-        c.fillRect(label + i * cell, top + 2, cell - 1, LANE_HEIGHT - 4);
-        if (i < count) {
-          c.strokeStyle = colour(now ? "now" : "soft");
-          c.lineWidth = now ? 3 : 1;
-          c.strokeRect(label + i * cell, top + 2, cell - 1, LANE_HEIGHT - 4);
-        }
-        if (texel !== undefined && i < count && cell > 26) {
-          c.fillStyle = colour("ink");
-          c.fillText(texel.replace(/[()]/g, "").split(" ")[0], label + i * cell + 3,
-            top + LANE_HEIGHT / 2);
-        }
-      }
-    });
+    byId("lanes-pixels").replaceChildren(...segments.map(([x, y, count], own) => element("tr", {},
+      element("th", { scope: "row" }, `lane ${own}: ${x}, ${y}`),
+      ...Array.from({ length: count }, (_, i) => element("td",
+        { class: own === lane && i === pixel ? "stored now" : stored[own][i] ? "stored" : "" },
+        (stored[own][i] || "").slice(1).split(" ")[0])))));
   }
 
   drawRegisters(registers, [, changed]) {

@@ -19,7 +19,12 @@ static int number_of(const struct stage *stage)
 static void print_row(FILE *out, const struct stage *stage, const struct accuracy *a)
 {
     fprintf(out, "<tr><th scope=\"row\">%s</th>", stage->name);
-    html_accuracy(out, a);
+    fprintf(out, "<td>%.3g %%</td><td>", a->wrong_texel_pct);
+    if (a->position_rms < a->ruler_step) {
+        fprintf(out, "&lt; 1/%d</td>", (int)(1 / a->ruler_step));
+    } else {
+        fprintf(out, "%.3g</td>", a->position_rms);
+    }
     fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%d</td><td>%zu</td><td>%zu</td></tr>\n",
             a->bias_u, a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
 }

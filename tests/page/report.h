@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include "tests/files/error.h"
-#include "tests/exact/accuracy.h"
+#include "common/image.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
@@ -23,10 +23,8 @@ report_part report_speed; /* a short benchmark, and its chart */
 report_part report_lanes; /* recordings of stage 5's assembly, as JSON */
 report_part report_cases; /* the stability table; a line where tests/cases/ is not at hand */
 
-/* Text in HTML; two cells of a table, wrong texels and position; a picture as an address, false
- * when there is no memory for it. */
+/* Text in HTML; a picture as an address, false when there is no memory for it. */
 void html_text(FILE *out, const char *text);
-void html_accuracy(FILE *out, const struct accuracy *accuracy);
 bool html_png(FILE *out, const struct image *image);
 
 /* The page's template, with the files that it names, as the build put it into the program: see

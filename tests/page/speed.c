@@ -4,40 +4,38 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/bench/bench.h"
-#include "tests/bench/machine.h"
 #include "tests/chart/chart.h"
 #include "tests/page/report.h"
+#include "tests/program/table.h"
 
 #define WIDTH 640
 #define HEIGHT 480
 #define SECONDS 5 /* of rounds, once accuracy is measured */
 
-#define INTRO "<p>Time for a pixel, and how far it is from the right place: %dx%d pixels, the " \
-    "best of %d rounds. Compare within this run only. Down and to the left is better.</p>\n"
-#define TABLE "<details><summary>The same as a table</summary><div class=\"scroll\" " \
-    "tabindex=\"0\" role=\"group\" aria-label=\"Speed\"><table><thead><tr>" \
-    "<th scope=\"col\">scene</th><th scope=\"col\">stage</th>" \
-    "<th scope=\"col\">ns a pixel</th><th scope=\"col\">wrong texels</th>" \
-    "<th scope=\"col\">position, RMS texels</th></tr></thead><tbody>\n"
-
-/* The chart as `texmap chart` draws it from the benchmark's CSV file. */
-static bool print_chart(FILE *out, const struct bench *bench, struct error *error)
+/* What `print` prints of the benchmark, to be freed; NULL when there is no memory. */
+static char *text_of(const struct bench *bench, void (*print)(FILE *, const struct bench *))
 {
-    struct csv csv;
-    struct chart chart;
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
 
     if (file) {
-        bench_print_csv(file, bench);
+        print(file, bench);
     }
     if (!file || fclose(file) != 0) {
         free(text);
-        return error_set(error, "report: no memory for the benchmark");
+        return NULL;
     }
+    return text;
+}
+
+/* The chart as `texmap chart` draws it from the benchmark's CSV file. */
+static bool print_chart(FILE *out, const char *text, struct error *error)
+{
+    struct csv csv;
+    struct chart chart;
     bool drawn = csv_parse("report", text, &csv, error);
-    free(text);
+
     if (drawn) {
         drawn = chart_load(&csv, &chart, error);
         if (drawn) {
@@ -50,20 +48,6 @@ static bool print_chart(FILE *out, const struct bench *bench, struct error *erro
         csv_destroy(&csv);
     }
     return drawn;
-}
-
-static void print_row(FILE *out, const struct bench_row *row)
-{
-    fprintf(out, "<tr><th scope=\"row\">%s</th><td>%s</td>", row->source->name, row->stage->name);
-    if (row->wrong) {
-        fprintf(out, "<td>not timed: ");
-        html_text(out, row->why.text);
-        fprintf(out, "</td>");
-    } else {
-        fprintf(out, "<td>%.2f</td>", bench_ns_per_pixel(row, row->ns_min));
-    }
-    html_accuracy(out, &row->accuracy);
-    fprintf(out, "</tr>\n");
 }
 
 bool report_speed(FILE *out, struct error *error)
@@ -87,16 +71,17 @@ bool report_speed(FILE *out, struct error *error)
     }
     if (printed) {
         bench_time(&bench, bench_clock() + SECONDS);
-        fprintf(out, INTRO, WIDTH, HEIGHT, bench.rounds);
-        printed = print_chart(out, &bench, error);
-        fputs(TABLE, out);
-        for (int i = 0; i < bench.row_count; i++) {
-            print_row(out, &bench.rows[i]);
+        char *csv = text_of(&bench, bench_print_csv), *table = text_of(&bench, bench_print_table);
+        printed = csv && table ? print_chart(out, csv, error)
+                               : error_set(error, "report: no memory for the benchmark");
+        if (printed) {
+            fputs("<details><summary>The same as a table, as texmap bench prints it</summary>\n"
+                  "<pre tabindex=\"0\" aria-label=\"Speed\">", out);
+            html_text(out, table);
+            fputs("</pre></details>\n", out);
         }
-        fputs("</tbody></table></div></details>\n<pre class=\"hint\" tabindex=\"0\" "
-              "aria-label=\"The machine\">", out);
-        machine_print(out, "");
-        fputs("</pre>\n", out);
+        free(csv);
+        free(table);
     }
     bench_close(&bench);
     return printed;

@@ -41,7 +41,7 @@ class Swim extends Part {
   }
 
   /* The wall in a frame: its triangles' vertices, and each stage's errors and, drawn, pixels. */
-  wall(frame, drawn) {
+  wall(frame, drawn = false) {
     const { stages } = this, [dx, dy] = DIRECTIONS[this.state.direction];
     stages.open(...ROOM_SIZE);
     const list = stages.room(ROOM_FRAME, dx * frame / 64, dy * frame / 64, TEXTURE_BRICKS);
@@ -55,7 +55,7 @@ class Swim extends Part {
 
   draw() {
     const { frame } = this.state, now = this.wall(frame, true);
-    const before = frame > 0 ? this.wall(frame - 1, false) : now;
+    const before = frame > 0 ? this.wall(frame - 1) : now;
     for (const view of this.views) {
       this.drawView(view, now, before);
     }
@@ -93,25 +93,19 @@ class Swim extends Part {
           : ".");
   }
 
-  /* The frames are measured a few at a time, so that the page goes on meanwhile. */
+  /* The frames are measured one by one, so that the page goes on meanwhile. */
   measureMore() {
     const all = this.changes[this.state.direction] ||= [];
     clearTimeout(this.measuring);
-    if (all.length >= SWIM_FRAMES) {
-      return;
-    }
-    this.measuring = setTimeout(() => {
-      const started = performance.now();
-      let last = this.wall(Math.max(all.length - 1, 0), false);
-      while (all.length < SWIM_FRAMES && performance.now() - started < 12) {
-        const now = this.wall(all.length, false);
+    if (all.length < SWIM_FRAMES) {
+      this.measuring = setTimeout(() => {
+        const last = this.wall(Math.max(all.length - 1, 0)), now = this.wall(all.length);
         all.push([2, 3].map((n) => ({ rms: swimChange(last.get(n), now.get(n)),
           jumps: jumped(last, now, n) })));
-        last = now;
-      }
-      this.drawBars();
-      this.measureMore();
-    }, 0);
+        this.drawBars();
+        this.measureMore();
+      }, 0);
+    }
   }
 
   drawBars() {

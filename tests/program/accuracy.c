@@ -13,14 +13,14 @@ static void print_row(const struct stage *stage, const struct accuracy *a)
     const bool any = a->pixels > 0; /* or else there is nothing to be right or wrong */
 
     printf("%-16s", stage->name);
-    print_cell(8, 3, any ? a->wrong_texel_pct : NAN);
-    print_cell(7, 3, any ? a->bias_u : NAN);
-    print_cell(7, 3, any ? a->bias_v : NAN);
-    print_cell(5, 0, any ? a->max_texel : NAN);
-    print_texels(8, any ? a->position_rms : NAN, a->ruler_step);
-    print_texels(8, any ? a->position_max : NAN, a->ruler_step);
+    print_cell(stdout, 8, 3, any ? a->wrong_texel_pct : NAN);
+    print_cell(stdout, 7, 3, any ? a->bias_u : NAN);
+    print_cell(stdout, 7, 3, any ? a->bias_v : NAN);
+    print_cell(stdout, 5, 0, any ? a->max_texel : NAN);
+    print_texels(stdout, 8, any ? a->position_rms : NAN, a->ruler_step);
+    print_texels(stdout, 8, any ? a->position_max : NAN, a->ruler_step);
     printf("%6zu%6zu", a->coverage_missing, a->coverage_extra);
-    print_texels(8, any ? a->jitter_rms : NAN, a->ruler_step);
+    print_texels(stdout, 8, any ? a->jitter_rms : NAN, a->ruler_step);
     printf("\n");
 }
 

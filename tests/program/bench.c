@@ -39,48 +39,48 @@ static double lookup_ns(const struct bench *bench, const struct bench_row *row)
 }
 
 /* `first`: of its scene. */
-static void print_row(const struct bench *bench, const struct bench_row *row,
-                      const struct bench_row *first)
+static void print_row(FILE *out, const struct bench *bench, const struct bench_row *row,
+                       const struct bench_row *first)
 {
     const bool is_stage1 = first->stage == stage_find("1");
     const struct accuracy *a = &row->accuracy;
 
-    printf("%-16s", row->stage->name);
+    fprintf(out, "%-16s", row->stage->name);
     if (row->wrong) {
-        printf(" WRONG, not timed:\n    %s\n", row->why.text);
+        fprintf(out, " WRONG, not timed:\n    %s\n", row->why.text);
         return;
     }
-    print_cell(7, 3, bench_ns_per_pixel(row, row->ns_min));
-    print_cell(7, 3, bench_ns_per_pixel(row, row->ns_median));
+    print_cell(out, 7, 3, bench_ns_per_pixel(row, row->ns_min));
+    print_cell(out, 7, 3, bench_ns_per_pixel(row, row->ns_median));
     if (row->source->triangles.count >= MANY_TRIANGLES) {
-        print_cell(6, 0, bench_ns_per_triangle(row, row->ns_min));
+        print_cell(out, 6, 0, bench_ns_per_triangle(row, row->ns_min));
     }
-    print_cell(8, 2, is_stage1 ? first->ns_min / row->ns_min : NAN);
-    print_cell(7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
+    print_cell(out, 8, 2, is_stage1 ? first->ns_min / row->ns_min : NAN);
+    print_cell(out, 7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
     if (row->judged) {
-        print_cell(8, 3, a->wrong_texel_pct);
-        print_texels(9, a->position_rms, a->ruler_step);
-        printf("%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
+        print_cell(out, 8, 3, a->wrong_texel_pct);
+        print_texels(out, 9, a->position_rms, a->ruler_step);
+        fprintf(out, "%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
     } else {
-        printf("%8s%9s%6s%6s\n", "-", "-", "-", "-");
+        fprintf(out, "%8s%9s%6s%6s\n", "-", "-", "-", "-");
     }
 }
 
-static void print_heading(const struct bench *bench, const struct bench_row *row)
+static void print_heading(FILE *out, const struct bench *bench, const struct bench_row *row)
 {
     const size_t triangles = row->source->triangles.count;
     const bool many = triangles >= MANY_TRIANGLES;
 
-    printf("\n%s: %zu triangles; lookup %.3f ns per pixel\n", row->source->name, triangles,
-           lookup_ns(bench, row));
-    printf("%-16s%14s%s%8s%7s%8s%9s%12s\n", "", "ns per pixel", many ? "  tri." : "", "speed,",
-           "time,", "wrong", "position", "coverage");
-    printf("%-16s%7s%7s%s%8s%7s%8s%9s%6s%6s\n", "stage", "min", "median", many ? "   min" : "",
-           "stage 1", "lookup", "texel %", "rms", "miss", "extra");
+    fprintf(out, "\n%s: %zu triangles; lookup %.3f ns per pixel\n", row->source->name, triangles,
+            lookup_ns(bench, row));
+    fprintf(out, "%-16s%14s%s%8s%7s%8s%9s%12s\n", "", "ns per pixel", many ? "  tri." : "",
+            "speed,", "time,", "wrong", "position", "coverage");
+    fprintf(out, "%-16s%7s%7s%s%8s%7s%8s%9s%6s%6s\n", "stage", "min", "median",
+            many ? "   min" : "", "stage 1", "lookup", "texel %", "rms", "miss", "extra");
 }
 
 /* What a reader should know before trusting the times. */
-static void print_notes(const struct bench *bench)
+static void print_notes(FILE *out, const struct bench *bench)
 {
     int timed = 0, noisy = 0, unjudged = 0;
 
@@ -91,40 +91,42 @@ static void print_notes(const struct bench *bench)
         unjudged += !row->judged;
     }
     if (unjudged > 0) {
-        printf("\nNote: no time was left to measure accuracy in %d of %d rows.\n"
-               "Give more --seconds.\n", unjudged, bench->row_count);
+        fprintf(out, "\nNote: no time was left to measure accuracy in %d of %d rows.\n"
+                "Give more --seconds.\n", unjudged, bench->row_count);
     }
     if (bench->rounds < FEW_ROUNDS) {
-        printf("\nNote: only %d round%s: times may be far off. Give more --seconds.\n",
-               bench->rounds, bench->rounds == 1 ? "" : "s");
+        fprintf(out, "\nNote: only %d round%s: times may be far off. Give more --seconds.\n",
+                bench->rounds, bench->rounds == 1 ? "" : "s");
     }
     if (noisy > NOISY_SHARE * timed) {
-        printf("\nNote: the machine was noisy: in %d of %d rows the median is over %.1f times the\n"
-               "minimum. Close other programs, then run it again with more --seconds.\n",
-               noisy, timed, NOISY);
+        fprintf(out, "\nNote: the machine was noisy: in %d of %d rows the median is over %.1f times "
+                "the\n"
+                "minimum. Close other programs, then run it again with more --seconds.\n",
+                noisy, timed, NOISY);
     }
 }
 
-static void print_table(const struct bench *bench)
+void bench_print_table(FILE *out, const struct bench *bench)
 {
     const struct bench_row *cleared = bench_memset(bench);
 
-    machine_print(stdout, "");
-    printf("frames: %dx%d, %d rounds\n\n", bench->size.width, bench->size.height, bench->rounds);
-    printf("Times are per pixel that a stage writes. Speed: stage 1 = 1. Time: lookup = 1,\n"
-           "that is copying texels from places worked out beforehand. memset: %.3f ns.\n"
-           "Positions in texels; < and a step: less than can be measured. Coverage: pixels.\n",
-           bench_ns_per_pixel(cleared, cleared->ns_min));
+    machine_print(out, "");
+    fprintf(out, "frames: %dx%d, %d rounds\n\n", bench->size.width, bench->size.height,
+            bench->rounds);
+    fprintf(out, "Times are per pixel that a stage writes. Speed: stage 1 = 1. Time: lookup = 1,\n"
+            "that is copying texels from places worked out beforehand. memset: %.3f ns.\n"
+            "Positions in texels; < and a step: less than can be measured. Coverage: pixels.\n",
+            bench_ns_per_pixel(cleared, cleared->ns_min));
     const struct bench_row *first = bench->rows;
     for (int i = 0; i < bench->row_count; i++) {
         const struct bench_row *row = &bench->rows[i];
         first = row->source == first->source ? first : row;
         if (row == first) {
-            print_heading(bench, row);
+             print_heading(out, bench, row);
         }
-        print_row(bench, row, first);
+        print_row(out, bench, row, first);
     }
-    print_notes(bench);
+    print_notes(out, bench);
 }
 
 static enum outcome run(const struct options *options, struct error *error)
@@ -144,7 +146,7 @@ static enum outcome run(const struct options *options, struct error *error)
     enum outcome outcome = OUTCOME_FAILED;
     if (bench_judge(&bench, start + seconds, error)) {
         bench_time(&bench, start + seconds);
-        print_table(&bench);
+        bench_print_table(stdout, &bench);
         if (!options->csv || bench_write_csv(options->csv, &bench, error)) {
             outcome = bench_all_right(&bench) ? OUTCOME_DONE : OUTCOME_CHECK_FAILED;
         }

@@ -1,11 +1,10 @@
 #include "tests/program/table.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #define TEXELS_DECIMALS 4
 
-void print_cell(int width, int decimals, double number)
+void print_cell(FILE *out, int width, int decimals, double number)
 {
     char text[32] = "-";
 
@@ -14,17 +13,17 @@ void print_cell(int width, int decimals, double number)
             decimals--;
         }
     }
-    printf("%*s", width, text);
+    fprintf(out, "%*s", width, text);
 }
 
-void print_texels(int width, double texels, double step)
+void print_texels(FILE *out, int width, double texels, double step)
 {
     char text[32];
 
     if (texels < step) {
         snprintf(text, sizeof text, "< 1/%.0f", 1 / step);
-        printf("%*s", width, text);
+        fprintf(out, "%*s", width, text);
     } else {
-        print_cell(width, TEXELS_DECIMALS, texels);
+        print_cell(out, width, TEXELS_DECIMALS, texels);
     }
 }

@@ -30,7 +30,7 @@ shown=$(sed -n 's|.*<th scope="row">stage4_subdivide</th><td>\([0-9.]*\).*|\1|p'
 texmap accuracy --stage 4 --scene room --frame 40 --size 320x240 --csv a.csv > log.out 2>&1
 test_that 'the page has the number of texmap accuracy' awk -F , -v "shown=$shown" \
     '/^stage4/ { found = shown > .995 * $7 && shown < 1.005 * $7 } END { exit !found }' a.csv
-for part in '<noscript>' 'id="picture-1"' 'id="picture-7"' 'stage4_draw_triangle(' 'ns a pixel' \
+for part in '<noscript>' 'id="picture-1"' 'id="picture-7"' 'stage4_draw_triangle(' 'ns per pixel' \
     '<svg'; do
     test_that "the page can be read without a script: $part" grep -qF "$part" $page
 done
