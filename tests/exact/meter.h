@@ -60,8 +60,8 @@ bool meter_begin(struct meter *meter, const struct triangle_list *list);
 
 /* The exact answer for a whole frame: a place for each pixel of `surfaces`, which shows the number
  * of the triangle's surface (without numbers: ALPHA), 0 where there is none; the place there is not
- * set. For u and v scaled about -1/2. With scale 1 the places are texels of the texture `coord`: where a triangle uses that
- * once, a texel beyond its sides is never right. */
+ * set. For u and v scaled about -1/2. With scale 1 the places are texels of the texture `coord`:
+ * where a triangle uses that once, a texel beyond its sides is never right. */
 void places_fill(struct place *places, struct image *surfaces, const uint32_t *surface_of,
                  const struct triangle_list *list, int scale);
 

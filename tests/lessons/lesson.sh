@@ -64,15 +64,16 @@ awk -F, -v before="$before" -v after="$after" '
 echo "Frames of $size; ns per pixel, the least of some rounds. \`texmap help accuracy\` says more."
 
 "$texmap" diff --stages "$before,$after" --scene room -o "$out/lesson_$number.png" || exit 2
-echo "Where the room differs: $out/lesson_$number.png. Pixels that agree are dimmed; blue to red, 1 to"
-echo "32 texels apart or more; magenta, only $before drew it; white, only $after."
+echo "Where the room differs: $out/lesson_$number.png. Pixels that agree are dimmed; blue to red,"
+echo "1 to 32 texels apart or more; magenta, only $before drew it; white, only $after."
 
 # The source last: it is long. Coloured, and a page at a time, where somebody looks at it.
 [ "$number" -ne 5 ] || echo "New: $after/span.S, $(grep -c '' "$after/span.S") lines"
 colour=
 if [ -t 1 ]; then
     show=${PAGER:-more}
-    [ "${NO_COLOR-}" ] || ! diff --color=always /dev/null /dev/null 2> /dev/null || colour=--color=always
+    [ "${NO_COLOR-}" ] || ! diff --color=always /dev/null /dev/null 2> /dev/null ||
+        colour=--color=always
     command -v less > /dev/null && show=${PAGER:-less -R}
 else
     show=cat

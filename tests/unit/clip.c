@@ -222,8 +222,8 @@ static int shows(const struct clip_vertex v[3], int x, int y)
 
 enum plane { LEFT, RIGHT, TOP, BOTTOM, NEAR, FAR, ALL_SIDES, PLANE_COUNT };
 
-/* A triangle with `outside` vertices, 1 to 3, far beyond a plane, the others in front of the camera and
- * about in the frame; or, with ALL_SIDES, a triangle far larger than the frame. */
+/* A triangle with `outside` vertices, 1 to 3, far beyond a plane, the others in front of the camera
+ * and about in the frame; or, with ALL_SIDES, a triangle far larger than the frame. */
 static void random_triangle(struct random *random, int plane, int outside, struct clip_vertex v[3])
 {
     for (int i = 0; i < 3; i++) {

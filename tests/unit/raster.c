@@ -1,6 +1,6 @@
 /* The fill rule on triangles worked by hand from its definition, in every stage, the exact answer,
- * and all six orders of the vertices: rows ceil(y_top) .. ceil(y_bottom) - 1, columns ceil(x_left) ..
- * ceil(x_right) - 1. */
+ * and all six orders of the vertices: rows ceil(y_top) .. ceil(y_bottom) - 1, columns
+ * ceil(x_left) .. ceil(x_right) - 1. */
 #include <stdio.h>
 #include <string.h>
 #include "tests/unit/check.h"

@@ -43,7 +43,7 @@ static bool open_source(struct source *source, const char *name)
     return true;
 }
 
-/* How many of the cases that `make` makes are drawn as the stage promises; the first that is not. */
+/* How many of the cases that `make` makes are drawn as promised; the first that is not. */
 static bool all_right(const struct stage *stage, void (*make)(struct judge_case *one, uint64_t i),
                       const char *turned, char text[TEXT])
 {
