@@ -26,9 +26,10 @@ prints="diff --stages 1,2 $wall -o OUT.png
 accuracy --stage all --triangles in.tri --size 64x48 --csv OUT.csv
 bench --scene room --size 64x48 --seconds 1 --csv OUT.csv"
 
-# result NAME: passed, where the variable `why` is empty.
+# result NAME: passed, where the variable `why` is empty; else the rest is not tried.
 result() {
-    if [ -z "$why" ]; then echo "ok $1"; else echo "FAIL $1: $why"; fi
+    [ -z "$why" ] || { echo "FAIL $1: $why"; exit 1; }
+    echo "ok $1"
     rm -rf out/* out/.texmap* link.*
     why=
 }
