@@ -70,7 +70,8 @@ class Lanes extends Part {
   held() {
     const registers = new Map(), stored = Array.from({ length: LANES }, () => []);
     const done = this.steps.slice(0, this.state.at + 1);
-    for (const [, register, meaning, lanes, lane, pixel] of done) {
+    for (const [line, register, meaning, all, lane, pixel] of done) { /* cvtpd2ps makes two */
+      const lanes = /cvtpd2ps/.test(this.source[line - 1]) ? all.slice(0, 2) : all;
       if (lane !== undefined) {
         stored[lane][pixel] = lanes[0];
       } else if (meaning || registers.has(register)) {

@@ -138,8 +138,8 @@ class Stepper extends Part {
   window() {
     const { state } = this, [width, height] = state.size;
     const event = this.run.at(state.at);
-    if (state.view === "near" && event) {
-      const [x, y] = (event.y === undefined ? state.v /* of the gradients: vertex A */
+    if (state.view === "near") {
+      const [x, y] = (!event || event.y === undefined ? state.v /* vertex A */
         : [event.x ?? event.first ?? event.v.x, event.y]).map(Math.floor);
       const w = Math.min(NEAR, width), h = Math.min(NEAR * 3 / 4, height);
       return { x: clamp(x - w / 2, 0, width - w), y: clamp(y - h / 2, 0, height - h), w, h };
