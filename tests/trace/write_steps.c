@@ -29,7 +29,7 @@ static const struct {
 
 #define SETTING_UP (sizeof setting_up / sizeof setting_up[0])
 
-static const char *const drawing[VECTORS] = {"u",         "v",           "step of u",
+static const char *const drawing[VECTORS] = {"u + 1/2",   "v + 1/2",     "step of u",
                                              "step of v", "texel index", "v row"};
 
 /* What is not yet, or no more, what the tables above say. */
@@ -48,7 +48,9 @@ static const struct {
     {"line_setup", "orps", 5, "1/2 as du"},  {"line_setup", "orps", 7, "1/2 as dv"},
     {"fetch", "movdqa", 4, "bits of u"},     {"fetch", "movdqa", 5, "bits of v"},
     {"fetch", "psrld", 4, "texel of u"},     {"fetch", "psrld", 5, "in between"},
-    {"fetch", "punpckhqdq", 4, "index 2 and 3"}, {"", "pslld", 2, "step of u"}};
+    {"fetch", "punpckhqdq", 4, "index 2 and 3"}, {"", "pslld", 2, "step of u"},
+    {"line_setup", "paddd", 0, "u + 1/2"},   {"line_setup", "paddd", 1, "v + 1/2"},
+    {"", "pslld", 0, "u + 1/2"}};
 
 static const char *vector_name(const struct step *step, const char *macro, const char *code)
 {
