@@ -118,18 +118,19 @@ bool bench_open(struct bench *bench, const struct bench_choice *choice, struct e
 static void judge_row(struct judge *judge, struct bench_row *row)
 {
     const struct source *source = row->source;
+    const struct image texture = judge_texture(judge, TEXTURE_SIDE, TEXTURE_SIDE);
     char text[JUDGE_TEXT] = "no memory to judge it";
     bool holds = judge_open(judge, source->size.width, source->size.height);
 
     for (size_t i = 0; holds && i < source->triangles.count; i++) {
-        const struct triangle *triangle = &source->triangles.items[i];
-        const struct image *own = source->chosen.pixels ? &source->chosen
-                                                        : &source->textures[triangle->texture];
-        const struct image texture = judge_texture(judge, own->width, own->height);
-        holds = judge_triangle(judge, row->stage, triangle->v, &texture, 0, text);
+        holds = judge_triangle(judge, row->stage, source->triangles.items[i].v, &texture, 0, text);
     }
+    holds = holds && judge_clean(judge, text);
     row->pixels = (size_t)judge->drawn;
-    row->wrong = !(holds && judge_clean(judge, text)) && !error_set(&row->why, "%s", text);
+    row->wrong = !holds;
+    if (!holds) {
+        error_set(&row->why, "%s", text);
+    }
 }
 
 /* The rows of one scene. */

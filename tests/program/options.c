@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <limits.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 #include "common/scene.h"
 #include "tests/exact/exact.h"
@@ -23,18 +24,14 @@ struct rule {
  * NULL where there are none or the number is outside low..high. */
 static const char *read_int(const char *text, int low, int high, int *value)
 {
-    const char *c = text;
-    int number = 0;
+    const size_t digits = strspn(text, "0123456789");
+    const long long number = strtoll(text, NULL, 10); /* too large a one: the largest there is */
 
-    for (; *c >= '0' && *c <= '9'; c++) {
-        const int digit = *c - '0';
-        if (digit > high || number > (high - digit) / 10) {
-            return NULL; /* 10 number + digit > high */
-        }
-        number = 10 * number + digit;
+    if (digits == 0 || number < low || number > high) {
+        return NULL;
     }
-    *value = number;
-    return c > text && number >= low ? c : NULL;
+    *value = (int)number;
+    return text + digits;
 }
 
 static bool parse_value(const struct rule *rule, const char *text, void *field,
