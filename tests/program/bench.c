@@ -100,7 +100,8 @@ static void print_notes(FILE *out, const struct bench *bench)
     }
     if (noisy > NOISY_SHARE * timed) {
         fprintf(out, "\nNote: the machine was noisy: in %d of %d rows the median is over %.1f "
-                "times the\nminimum. Close other programs, then run it again with more --seconds.\n",
+                "times the\nminimum. Close other programs, then run it again with more "
+                "--seconds.\n",
                 noisy, timed, NOISY);
     }
 }
