@@ -273,24 +273,3 @@ function explainPixel(run, event, g, was, exact) {
   z, both.map((n) => f`${n} = (int)(${n}/z \u00b7 z) = (int)(${v[`${n}_over_z`]} \u00b7 ${v.z}) ` +
     f`= (int)${v[n]} = ${v[`texel_${n}`]}`), compared];
 }
-
-/* What a step costs in stages 1 to 4, counted in their sources: divides, conversions from float to
- * int, multiplications, additions and subtractions; of the setup of edges and gradients, which
- * comes once a triangle, nothing. */
-const NOTHING = [0, 0, 0, 0];
-const COSTS = {
-  "edge step": [[0, 0, 1, 6], [0, 0, 0, 7], [0, 0, 0, 7], [0, 0, 0, 7]],
-  span: [[0, 2, 3, 4], NOTHING, [1, 0, 17, 9], [1, 0, 2, 2]], /* stage 4: the divide at its start */
-  segment: [NOTHING, NOTHING, NOTHING, [1, 4, 9, 9]],         /* and at each segment's end */
-  pixel: [[1, 2, 3, 4], [1, 2, 3, 4], [1, 2, 3, 6], [0, 0, 0, 3]],
-};
-
-/* The sum of it up to step `last`. */
-function costs(run, last) {
-  const sum = [0, 0, 0, 0];
-  run.events.slice(0, last + 1).forEach((event) => {
-    const cost = (COSTS[KINDS[event.kind]] || [])[run.stage - 1] || NOTHING;
-    cost.forEach((n, i) => { sum[i] += n; });
-  });
-  return sum;
-}

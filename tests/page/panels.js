@@ -74,14 +74,14 @@ class Panels {
   }
 
   drawCosts(stepper) {
-    const { state: { stage, at }, run } = stepper;
+    const { state: { stage, at }, run, stages } = stepper;
     const row = (name, counts, now) => element("tr", now ? { class: "now" } : {},
       element("th", { scope: "row" }, name), ...counts.map((n) => element("td", {}, String(n))));
     byId("costs").replaceChildren(
       heads("", "divides", "float to int", "multiplications", "additions"),
-      element("tbody", {}, row(`Stage ${stage}, so far`, costs(run, at), true),
+      element("tbody", {}, row(`Stage ${stage}, so far`, stages.costs(run, at), true),
         ...STEPPED.map((n) => row(`Stage ${n}, in all`,
-          costs(n === stage ? run : stepper.trace(n), Infinity), n === stage))));
+          stages.costs(n === stage ? run : stepper.trace(n), Infinity), n === stage))));
   }
 }
 

@@ -131,6 +131,14 @@ class Stages {
     });
   }
 
+  /* Divides, conversions, multiplications, additions of a run up to step `last`. */
+  costs({ stage, events }, last) {
+    const each = KINDS.map((_, kind) => this.array(Uint8Array,
+      this.wasm.page_event_costs(stage, kind), 4));
+    return [0, 1, 2, 3].map((i) => events.slice(0, last + 1)
+      .reduce((sum, { kind }) => sum + each[kind][i], 0));
+  }
+
   /* A string of C's. */
   text(address) {
     const bytes = new Uint8Array(this.wasm.memory.buffer, address);

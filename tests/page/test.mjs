@@ -125,6 +125,11 @@ async function testTrace(page) {
     const wrong = await page.evaluate(() => window.page.stepper.run.events.find(({ kind, line }) =>
       !byId(`source-${window.page.stepper.state.stage}`).textContent.split("\n")[line - 1]
         .includes(`TRACE_${KINDS[kind].replace(" ", "_").toUpperCase()}(`)));
+    const count = (kind) => events.filter((event) => event.kind === kind).length;
+    const [divides] = await page.evaluate(() =>
+      window.page.stages.costs(window.page.stepper.run, Infinity));
+    same(divides, [0, count("pixel"), count("pixel"), count("pixel") + count("span"),
+      count("span") + count("segment")][stage], `stage ${stage} divides so often`);
     check(!wrong, `each step of stage ${stage} names its source line`, wrong);
   }
 }

@@ -122,7 +122,7 @@ void bench_print_table(FILE *out, const struct bench *bench)
         const struct bench_row *row = &bench->rows[i];
         first = row->source == first->source ? first : row;
         if (row == first) {
-             print_heading(out, bench, row);
+            print_heading(out, bench, row);
         }
         print_row(out, bench, row, first);
     }

@@ -45,3 +45,14 @@ const char *const trace_names[TRACE_STAGES][TRACE_KINDS] = {
     {GRADIENTS, EDGE, EDGE, SPAN, SEGMENT, "u v u_16_16 v_16_16 texel_u texel_v"},
     {GRADIENTS, EDGE, EDGE, SPAN, "count length " AT, ""},
 };
+
+/* Stage 4 divides at a span's start, and at the end of each segment. */
+const unsigned char trace_costs[4][TRACE_KINDS][4] = {
+    {[TRACE_KIND_EDGE_STEP] = {0, 0, 1, 6}, [TRACE_KIND_SPAN] = {0, 2, 3, 4},
+     [TRACE_KIND_PIXEL] = {1, 2, 3, 4}},
+    {[TRACE_KIND_EDGE_STEP] = {0, 0, 0, 7}, [TRACE_KIND_PIXEL] = {1, 2, 3, 4}},
+    {[TRACE_KIND_EDGE_STEP] = {0, 0, 0, 7}, [TRACE_KIND_SPAN] = {1, 0, 17, 9},
+     [TRACE_KIND_PIXEL] = {1, 2, 3, 6}},
+    {[TRACE_KIND_EDGE_STEP] = {0, 0, 0, 7}, [TRACE_KIND_SPAN] = {1, 0, 2, 2},
+     [TRACE_KIND_SEGMENT] = {1, 4, 9, 9}, [TRACE_KIND_PIXEL] = {0, 0, 0, 3}},
+};

@@ -69,12 +69,9 @@ choose()
 
 check()
 {
+    moved=$(sh "$0" fresh) || moved=${moved:-?}
     name="the page's module is made from these sources"
-    if moved=$(sh "$0" fresh); then
-        echo "ok $name"
-    else
-        echo "SKIP $name: newer are" ${moved}: make page-wasm
-    fi
+    [ -z "$moved" ] && echo "ok $name" || echo "SKIP $name: newer are" ${moved}: make page-wasm
 }
 
 case $1 in
@@ -83,6 +80,6 @@ choose) choose "$2" ;;
 list) list ;;
 check) check ;;
 sources) list | while read -r file; do cksum "$file"; done ;;
-fresh) sh "$0" sources | diff - tests/page/stages.wasm.sources | sed -n 's/^[<>] [0-9]* [0-9]* //p' |
-    sort -u | awk '{ print } END { exit NR > 0 }' ;;
+fresh) sh "$0" sources | diff - tests/page/stages.wasm.sources |
+    sed -n 's/^[<>] [0-9]* [0-9]* //p' | sort -u | awk '{ print } END { exit NR > 0 }' ;;
 esac

@@ -178,6 +178,12 @@ EXPORT(page_event_names) const char *page_event_names(int stage, int kind)
     return trace_names[stage - 1][kind];
 }
 
+/* What such a step costs: see trace_costs. */
+EXPORT(page_event_costs) const unsigned char *page_event_costs(int stage, int kind)
+{
+    return trace_costs[stage - 1][kind];
+}
+
 /* How far texel index `got` is from the right one, or from the nearer of two. */
 static int axis_error(struct axis_place exact, uint32_t got)
 {
