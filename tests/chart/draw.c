@@ -149,7 +149,7 @@ static void draw_frontier(struct panel *panel, const struct series *by_time)
 
 static void draw_lookup(struct panel *panel, double lookup, bool large)
 {
-    static const char label[] = "lookup: the floor for a mapper that goes pixel by pixel";
+    static const char label[] = "lookup: no mapper that goes pixel by pixel is faster";
     const double x = axis_at(&panel->x, lookup), y = panel->y.to + 18;
     svg_line(panel->out, (struct point){x, panel->y.to},
              (struct point){x, panel->y.from + panel->y.band}, "floor");
@@ -283,7 +283,7 @@ static void draw_legend(FILE *out, double x, double y)
     svg_text(out, (struct point){x + 38, y}, &soft_style, "stage 4, other lengths of segment");
     x += 262;
     svg_line(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, "rule");
-    svg_text(out, (struct point){x + 38, y}, &soft_style, "the best of all but the coda");
+    svg_text(out, (struct point){x + 38, y}, &soft_style, "frontier, without the coda");
 }
 
 static void draw_head(FILE *out, const struct chart *chart, const struct series *stages)
