@@ -2,8 +2,7 @@
 
 const LANES = 4;
 /* The function of stage 4 that a macro of span.S does for four segments. */
-const STAGE4_OF = { interpolants: "draw_span", texel_at: "texel_at", line_setup: "line_setup",
-  fetch: "draw_segment", segments: "draw_span", "": "draw_span" };
+const STAGE4_OF = { texel_at: "texel_at", line_setup: "line_setup", fetch: "draw_segment" };
 
 class Lanes extends Part {
   constructor() {
