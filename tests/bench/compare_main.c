@@ -82,8 +82,8 @@ static double print_speed(const struct bench_row *row, int rounds, bool *noise)
     const double median = bench_quantile(ratio, rounds, 0.5);
     const double low = bench_quantile(ratio, rounds, 0.25);
     const double high = bench_quantile(ratio, rounds, 0.75);
-    print_cell(7, 3, bench_ns_per_pixel(&row[0], row[0].ns_min));
-    print_cell(7, 3, bench_ns_per_pixel(&row[1], row[1].ns_min));
+    print_cell(stdout, 7, 3, bench_ns_per_pixel(&row[0], row[0].ns_min));
+    print_cell(stdout, 7, 3, bench_ns_per_pixel(&row[1], row[1].ns_min));
     printf("  x%.2f (%.2f-%.2f)\n", median, low, high);
     *noise = fabs(median - 1) < fmax(NOISE, 3 * (high - low) / sqrt(rounds));
     return median;
@@ -104,10 +104,10 @@ static void print_stage(struct bench *bench, int pair, int stage_count, struct i
         const size_t differing = count_differing(bench, row, other);
         bool noise;
         printf("%-6s%8zu", row->source->name, differing);
-        print_cell(8, 3, row[0].accuracy.wrong_texel_pct);
-        print_cell(8, 3, row[1].accuracy.wrong_texel_pct);
-        print_texels(8, row[0].accuracy.position_rms, row[0].accuracy.ruler_step);
-        print_texels(8, row[1].accuracy.position_rms, row[1].accuracy.ruler_step);
+        print_cell(stdout, 8, 3, row[0].accuracy.wrong_texel_pct);
+        print_cell(stdout, 8, 3, row[1].accuracy.wrong_texel_pct);
+        print_texels(stdout, 8, row[0].accuracy.position_rms, row[0].accuracy.ruler_step);
+        print_texels(stdout, 8, row[1].accuracy.position_rms, row[1].accuracy.ruler_step);
         product *= print_speed(row, bench->rounds, &noise);
         all_noise = all_noise && noise;
         total += differing;
