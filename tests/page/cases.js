@@ -54,12 +54,10 @@ class Cases extends Part {
     stages.open(...size);
     stages.segmentLength(16);
     stages.give(triangles.slice(0, TRIANGLES_MAX));
-    const measured = stages.measurable();
-    for (const n of [...STEPPED, EXACT]) {
-      const result = measured ? stages.measure(n) : { frame: stages.draw(n), errors: null };
+    for (const [n, result] of stages.results()) {
       const canvas = element("canvas", { role: "img", "aria-label": `The case in ${n}` });
       place.append(element("figure", {}, canvas, element("figcaption", {},
-        n === EXACT ? "Exact" : `Stage ${n}` + (measured ? `: ${verdict(result)}` : ""))));
+        n === EXACT ? "Exact" : `Stage ${n}` + (result.errors ? `: ${verdict(result)}` : ""))));
       drawSmall(canvas, result, triangles, size, 240);
     }
     const button = element("button", { type: "button" }, "Open in the stepper");

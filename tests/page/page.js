@@ -11,10 +11,10 @@ addEventListener("unhandledrejection", (event) => fault(event.reason));
 async function start() {
   document.documentElement.classList.add("script");
   const page = { stages: await Stages.load() };
-  page.cases = new Cases(page.stages);
+  page.cases = new Cases(await Stages.load()); /* each with memory of its own */
   page.stepper = new Stepper(page.stages, page.cases);
   page.ready = performance.now();
-  page.swim = new Swim(await Stages.load()); /* memory of its own: it runs beside the stepper */
+  page.swim = new Swim(await Stages.load());
   page.lanes = new Lanes();
   page.pictures = await Pictures.load(await Stages.load());
   addEventListener("hashchange", () => Address.read());

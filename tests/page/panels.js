@@ -59,7 +59,7 @@ class Panels {
       (event ? `: the line that reports this step is ${event.line}` : "");
   }
 
-  drawThumbs({ results, state, list, measured }) {
+  drawThumbs({ results, state, list }) {
     for (const { n, thumb, canvas, says } of this.thumbs) {
       const result = results.get(standIn(n));
       drawSmall(canvas, result, [state.v], state.size, 160);
@@ -68,7 +68,7 @@ class Panels {
       }
       says.textContent = n === EXACT ? "what every stage is held against"
         : n === 5 ? "stage 4's frame, bit for bit"
-          : !measured || !list.length ? "" : verdict(result) +
+          : !result.errors || !list.length ? "" : verdict(result) +
             (n < 3 && result.largest === 1 ? ": truncated, off by one" : "");
     }
   }
@@ -120,8 +120,9 @@ function statementsOf(lines, event) {
 }
 
 /* The exact answer at a step's pixel; null where that is not covered, or was not measured. */
-function exactOf({ stages, measured, results }, event) {
-  const drawn = event.x !== undefined && measured && results.get(EXACT).frame[event.pixel];
+function exactOf({ stages, results }, event) {
+  const drawn = event.x !== undefined && results.get(1).errors &&
+    results.get(EXACT).frame[event.pixel];
   return drawn ? stages.exactAt(event.x, event.y) : null;
 }
 

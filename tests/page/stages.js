@@ -88,6 +88,13 @@ class Stages {
     return this.counts(this.wasm.page_measure(standIn(stage)));
   }
 
+  /* By stage, how it errs; only its frame where the frame is too large, and of the exact answer. */
+  results() {
+    const measured = this.measurable();
+    return new Map([...STEPPED, EXACT].map((n) => [n, measured && n !== EXACT ? this.measure(n)
+      : { frame: this.draw(n), errors: null }]));
+  }
+
   /* The same of a frame that was drawn elsewhere, for the coda and stage 5. */
   compare(stage, pixels) {
     this.wasm.page_measure(stage === 6 ? EXACT : 4);

@@ -65,11 +65,9 @@ class Stepper extends Part {
     stages.open(...state.size);
     stages.segmentLength(state.length);
     this.list = stages.give([state.v]);
-    this.measured = stages.measurable();
     this.run = this.trace(state.stage);
     this.earlier = state.stage > 1 && state.before ? this.trace(state.stage - 1) : null;
-    this.results = new Map([...STEPPED, EXACT].map((n) => [n, this.measured && n !== EXACT
-      ? stages.measure(n) : { frame: stages.draw(n), errors: null }]));
+    this.results = stages.results();
     this.go(state.at);
     if (change.at === undefined && event && event.x !== undefined) {
       this.pick(event.x, event.y);

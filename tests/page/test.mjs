@@ -291,6 +291,8 @@ async function testCases(page) {
   await article.locator("summary").click();
   await article.locator("canvas").nth(4).waitFor();
   check(await article.locator("canvas").count() === 5, "a case is drawn in all stages");
+  check(await page.evaluate(() => window.page.stages.width === window.page.stepper.state.size[0]),
+    "and the stepper has its own frame still");
   await article.getByRole("button").click();
   await page.waitForFunction(() => window.page.stepper.state.case === "steep_segment");
   check(true, "a case opens in the stepper");
