@@ -28,7 +28,7 @@ s/^    at = add(at, scale(segment_length(last), g->dx));/    struct texel middle
 &/
 s/^        at = add(at, scale(segment_length(last), g->dx));/        const struct texel next_middle = texel_at(g, add(at, scale(segment_length(last) \/ 2.0, g->dx)));\
 &/
-s/draw_segment(pixels, SEGMENT_LENGTH, texture, start, end/draw_segment(pixels, SEGMENT_LENGTH, texture, start, middle, end/
+s/draw_segment(pixels, SEGMENT_LENGTH, &copy, start, end/draw_segment(pixels, SEGMENT_LENGTH, \&copy, start, middle, end/
 s/^        end = next;/&\
         middle = next_middle;/
-s/draw_segment(pixels, last + 1, texture, start, end/draw_segment(pixels, last + 1, texture, start, middle, end/
+s/draw_segment(pixels, last + 1, &copy, start, end/draw_segment(pixels, last + 1, \&copy, start, middle, end/
