@@ -39,9 +39,9 @@ int trace_is_short(const void *edge);
 #define TRACE_STAGES 5
 extern const char *const trace_names[TRACE_STAGES][TRACE_KINDS];
 
-/* What each kind of step costs in stages 1 to 4, counted in their sources: divides, conversions from
- * float to int, multiplications, additions and subtractions. The setup of edges and gradients, which
- * comes once a triangle, is not counted. */
+/* What each kind of step costs in stages 1 to 4, counted in their sources: divides, conversions
+ * from float to int, multiplications, additions and subtractions. The setup of edges and gradients,
+ * which comes once a triangle, is not counted. */
 extern const unsigned char trace_costs[4][TRACE_KINDS][4];
 
 #endif
