@@ -66,7 +66,7 @@ void curve_draw(FILE *file, const struct curve *curve)
     snprintf(below, sizeof below, "< %g", curve->y_low);
     panel = (struct panel){
         .out = file,
-        .x = {curve->x_log, curve->x_low, curve->x_high, LEFT, RIGHT, 0},
+        .x = {false, curve->x_low, curve->x_high, LEFT, RIGHT, 0},
         .y = {curve->y_log, curve->y_low, curve->y_high, BOTTOM, TOP, curve->y_log ? BAND : 0},
         .band_label = curve->y_log ? below : NULL};
     svg_begin(file, WIDTH, HEIGHT, curve->title, curve->y_name);

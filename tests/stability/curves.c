@@ -81,24 +81,6 @@ static bool measure_drift(struct curve *curve, struct error *error)
     return done;
 }
 
-/* Flat too. One vertex lies 15/32 pixel below a whole row, so that whole pixels move it by that
- * much, and sixteenths by 1/32: by a part of its height, and of v, that grows as the height
- * falls. */
-static bool measure_slivers(struct curve *curve, struct error *error)
-{
-    static const float heights[] = {1 / 32.f, 3 / 32.f, 7 / 32.f,  15 / 32.f, 1 + 15 / 32.f,
-                                    2 + 15 / 32.f, 4 + 15 / 32.f, 8 + 15 / 32.f, 16 + 15 / 32.f};
-    const struct stability_stages chosen = series_of_stages(curve);
-    bool done = true;
-
-    for (size_t i = 0; done && i < sizeof heights / sizeof heights[0]; i++) {
-        const struct vertex v[3] = {
-            {0, 2, 1, 0, 0}, {4000, 32, 1, 240, 0}, {2000, 17 + heights[i], 1, 120, 32}};
-        done = measure_point(curve, heights[i], v, FRAME_SIDE_MAX, 64, &chosen, 0, error);
-    }
-    return done;
-}
-
 #define SEGMENT 16 /* pixels between two divides */
 
 /* Depth r at column 0 and 1 at column 16, u du there and 0: a vertex on that line.
@@ -168,13 +150,6 @@ static struct curve curves[] = {
      .x_name = "length of the span (pixels)", .x_low = 0, .x_high = 5000,
      .y_name = "largest position error (texels)", .y_low = 0, .y_high = .15,
      .measure = measure_drift},
-    {.name = "slivers",
-     .title = "The thinner a triangle, the more a rounded vertex moves its texture",
-     .stages = {"1", "2", "3", "coda"},
-     .x_name = "height (pixels) of a triangle 4000 pixels long and 32 texels high",
-     .x_log = true, .x_low = .03125, .x_high = 60,
-     .y_name = "largest position error (texels)", .y_log = true, .y_low = .001, .y_high = 100,
-     .measure = measure_slivers},
     {.name = "steepness",
      .title = "A straight line over 16 pixels errs as its formula says, no more",
      .x_name = "ratio of the depths at the ends of a line over du texels",

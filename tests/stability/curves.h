@@ -20,7 +20,7 @@ struct curve {
     const char *title;           /* what it says */
     const char *stages[4];       /* those that it compares, as stage_find knows them */
     const char *x_name, *y_name; /* with their units */
-    bool x_log, y_log;
+    bool y_log;
     double x_low, x_high, y_low, y_high; /* the axes' ends */
     bool (*measure)(struct curve *curve, struct error *error); /* fills what follows */
     int points, count; /* of x; of series */
