@@ -7,7 +7,8 @@
 #define TICK_ROOM 14.0   /* pixels that one number needs along an upright axis */
 #define TICK_WIDE 30.0   /* and along a level one */
 #define LABEL_GAP 4.0    /* pixels between a mark and its label */
-#define LABEL_RINGS 4    /* how often a label may move further out ... */
+#define LABEL_ROOM 0.1   /* and around a label, as places are printed to tenths */
+#define LABEL_RINGS 10   /* how often a label may move further out ... */
 #define LABEL_STEP 6.0   /* ... by so many pixels */
 
 double axis_at(const struct axis *axis, double value)
@@ -181,7 +182,8 @@ bool panel_label(struct panel *panel, struct point at, double radius,
         const double distance = radius + LABEL_GAP + i / 8 * LABEL_STEP;
         const double x = at.x + side.x * (distance + half_width);
         const double y = at.y + side.y * (distance + half_height);
-        const struct box box = {x - half_width, y - half_height, x + half_width, y + half_height};
+        const struct box box = {x - half_width - LABEL_ROOM, y - half_height - LABEL_ROOM,
+                                x + half_width + LABEL_ROOM, y + half_height + LABEL_ROOM};
         if (is_free(panel, box)) {
             const struct text_style beside = {
                 style->size, side.x > 0 ? "start" : side.x < 0 ? "end" : "middle", style->class};
