@@ -10,13 +10,25 @@
 #include "tests/unit/check.h"
 
 #define ASM_TEXT 1024
-#define ASM_NAME 160
+#define CALL_TEXT 160
+#define CALL_ARGUMENTS 6 /* so many travel in registers */
 
 /* Does stage5_draw_segments keep its promises, in about `segments` segments? If not, `text` says
  * where. */
-bool asm_convention(char text[ASM_TEXT]);
 bool asm_guards(char text[ASM_TEXT]);
 bool asm_segments(long segments, char text[ASM_TEXT]);
+
+/* Does a call leave alone what the System V calling convention for x86-64 says it must? Calls
+ * function(arguments[0], ...), integers or pointers: a 32-bit one may have junk in its upper half.
+ * Every register that holds no argument holds junk, and so does the stack below. Looks at the
+ * callee-saved registers, the stack pointer and the stack above the return address, the direction
+ * flag, the control bits of MXCSR, and the x87's control word, tags and registers, which are MMX's
+ * too. False where one of them changed: `text` then names all that did. Not for two threads. */
+bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS],
+                  char text[CALL_TEXT]);
+
+/* What the last call returned. */
+extern uint64_t call_result;
 
 /* Memory whose first or last byte has a page beside it that ends the program when touched. */
 struct guarded {
@@ -37,9 +49,6 @@ void guarded_destroy(struct guarded *guarded);
 
 /* Calls call(context). False where it touched a guard page: *address is where. */
 bool guarded_call(void (*call)(void *context), void *context, const void **address);
-
-/* Texels that are all different, and different for another key. */
-void texture_fill(const struct image *texture, uint32_t key);
 
 /* Stage 4's segment: `count` pixels from where 1/z, u/z and v/z are `at`, to `length` pixels on.
  * The gradients are stage 4's, and stage 5's, which are the same. */

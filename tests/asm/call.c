@@ -1,9 +1,8 @@
 /* The C half of call_checked(). tests/mistakes/ shows what it finds. */
-#include "tests/asm/call_checked.h"
+#include "tests/asm/asm.h"
 
 #include <stdio.h>
 #include <string.h>
-#include "tests/asm/asm.h"
 
 #ifdef TEXMAP_STAGE5
 
@@ -48,20 +47,20 @@ _Static_assert(offsetof(struct fxsave, mxcsr) == 24, "FXSAVE_MXCSR in call_check
 _Static_assert(sizeof(struct fxsave) == 512, "as the processor has it");
 
 /* Adds the name of a part that changed; `equal` where it did not. */
-static bool kept(bool equal, const char *name, char *text, size_t size)
+static bool kept(bool equal, const char *name, char text[CALL_TEXT])
 {
     const size_t length = strlen(text);
 
     if (!equal) {
-        snprintf(text + length, size - length, "%s%s", length > 0 ? " " : "", name);
+        snprintf(text + length, CALL_TEXT - length, "%s%s", length > 0 ? " " : "", name);
     }
     return equal;
 }
 
 uint64_t call_result;
 
-bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS], char *text,
-                  size_t size)
+bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENTS],
+                  char text[CALL_TEXT])
 {
     static const char *const general[] = {"rbx", "rbp", "r12", "r13", "r14", "r15"};
     static _Alignas(16) struct call call;
@@ -75,18 +74,17 @@ bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENT
     call_recorded(&call);
     call_result = call.result;
     for (int i = 0; i < 6; i++) {
-        all &= kept(a->general[i] == b->general[i], general[i], text, size);
+        all &= kept(a->general[i] == b->general[i], general[i], text);
     }
-    all &= kept(a->rsp == b->rsp, "rsp", text, size);
+    all &= kept(a->rsp == b->rsp, "rsp", text);
     /* Below a stack pointer that is too high nothing need be left. */
-    all &= kept(a->rsp != b->rsp || memcmp(a->stack, b->stack, sizeof a->stack) == 0, "stack", text,
-                size);
-    all &= kept(!(b->flags & DIRECTION_FLAG), "direction", text, size);
-    all &= kept(((fa->mxcsr ^ fb->mxcsr) & ~MXCSR_STATUS) == 0, "mxcsr", text, size);
-    all &= kept(fa->x87_control == fb->x87_control, "x87_control", text, size);
-    all &= kept(fa->x87_tags == fb->x87_tags, "x87_tags", text, size);
+    all &= kept(a->rsp != b->rsp || memcmp(a->stack, b->stack, sizeof a->stack) == 0, "stack", text);
+    all &= kept(!(b->flags & DIRECTION_FLAG), "direction", text);
+    all &= kept(((fa->mxcsr ^ fb->mxcsr) & ~MXCSR_STATUS) == 0, "mxcsr", text);
+    all &= kept(fa->x87_control == fb->x87_control, "x87_control", text);
+    all &= kept(fa->x87_tags == fb->x87_tags, "x87_tags", text);
     all &= kept(memcmp(fa->x87_registers, fb->x87_registers, sizeof fa->x87_registers) == 0, "mmx",
-                text, size);
+                text);
     return all;
 }
 

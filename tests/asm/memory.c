@@ -8,8 +8,6 @@
 #include <unistd.h>
 #include "tests/asm/asm.h"
 
-#define KEY_FACTOR 2654435761u /* odd: so all products mod 2^32 differ */
-
 static size_t page_size(void) { return (size_t)sysconf(_SC_PAGESIZE); }
 
 static size_t whole_pages(size_t size)
@@ -105,15 +103,4 @@ bool guarded_call(void (*call)(void *context), void *context, const void **addre
     call(context);
     calling = 0;
     return true;
-}
-
-void texture_fill(const struct image *texture, uint32_t key)
-{
-    for (int y = 0; y < texture->height; y++) {
-        uint32_t *row = texture->pixels + (size_t)y * (size_t)texture->stride;
-        const uint32_t first = key + (uint32_t)y * (uint32_t)texture->width;
-        for (int x = 0; x < texture->width; x++) {
-            row[x] = (first + (uint32_t)x) * KEY_FACTOR;
-        }
-    }
 }

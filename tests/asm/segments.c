@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "tests/asm/asm.h"
-#include "tests/asm/call_checked.h"
 #include "tests/judge/judge.h"
 
 #ifdef TEXMAP_STAGE5
@@ -18,9 +17,9 @@
 #define CANARIES 8  /* pixels at least from one row's end to the next's start */
 #define SIDES 13    /* of a texture: 1, 2, 4 .. 4096 */
 #define SETTINGS (SIDES * SIDES)
+#define KEY_FACTOR 2654435761u /* odd: so all products mod 2^32 differ */
 #define DEPTH_RATIO_LOG2 16 /* from DEPTH_MIN to DEPTH_MAX */
 #define GUARD_CALLS 40
-#define CONVENTION_CALLS 4000
 
 /* A call's arguments, and the frames: a segment lies in each row. */
 struct job {
@@ -29,8 +28,16 @@ struct job {
     struct gradients *g;
     struct image own, twin, texture;
     struct guarded memory[5];
-    char changed[ASM_NAME]; /* what call_checked() found */
+    char changed[CALL_TEXT]; /* what call_checked() found */
 };
+
+/* Texels that are all different, and different for another key. */
+static void texture_fill(const struct image *texture, uint32_t key)
+{
+    for (int i = 0; i < texture->width * texture->height; i++) {
+        texture->pixels[i] = (key + (uint32_t)i) * KEY_FACTOR;
+    }
+}
 
 static void job_create(struct job *job, struct random *random, int number, bool at_end)
 {
@@ -124,38 +131,39 @@ static void call(void *context)
         (uintptr_t)job->segments, (unsigned)job->count | 0xABCDEF0000000000u,
         (uintptr_t)&job->texture, (uintptr_t)job->g};
 
-    call_checked((void (*)(void))stage5_draw_segments, arguments, job->changed,
-                 sizeof job->changed);
+    call_checked((void (*)(void))stage5_draw_segments, arguments, job->changed);
 }
 
-/* What it takes to make the call again. */
-static bool failed(const struct job *job, const char *what, int i, char text[ASM_TEXT])
+/* Adds what it takes to make the call again to the text of what is wrong. */
+static bool failed(const struct job *job, int i, char text[ASM_TEXT])
 {
     const struct gradients *g = job->g;
     const struct segment *s = &job->segments[i];
+    const size_t length = strlen(text);
 
-    snprintf(text, ASM_TEXT,
-             "%s\n     texture %dx%d; segment %d of %d: %d pixels, length %g, at %p\n"
+    snprintf(text + length, ASM_TEXT - length,
+             "\n     texture %dx%d; segment %d of %d: %d pixels, length %g, at %p\n"
              "     1/z, u/z, v/z %.17g %.17g %.17g, d/dx %.17g %.17g %.17g\n"
              "     1/z from %.9g, u %.9g to %.9g, v %.9g to %.9g",
-             what, job->texture.width, job->texture.height, i, job->count, s->count, s->length,
+             job->texture.width, job->texture.height, i, job->count, s->count, s->length,
              (void *)s->pixels, s->at.one_over_z, s->at.u_over_z, s->at.v_over_z,
              g->dx.one_over_z, g->dx.u_over_z, g->dx.v_over_z, (double)g->one_over_z_min,
              (double)g->u.low, (double)g->u.high, (double)g->v.low, (double)g->v.high);
     return false;
 }
 
-/* Draws with the assembly. False where it touched a guard page: `text` tells the case. */
-static bool inside(struct job *job, char text[ASM_TEXT])
+/* Draws with the assembly. False where it touched a guard page, or broke the calling convention:
+ * `text` tells the case. */
+static bool call_holds(struct job *job, char text[ASM_TEXT])
 {
     const void *address;
-    char what[ASM_NAME];
 
-    if (guarded_call(call, job, &address)) {
-        return true;
+    if (!guarded_call(call, job, &address)) {
+        snprintf(text, ASM_TEXT, "touches %p", address);
+        return failed(job, 0, text);
     }
-    snprintf(what, sizeof what, "touches %p", address);
-    return failed(job, what, 0, text);
+    snprintf(text, ASM_TEXT, "not as they were: %s", job->changed);
+    return job->changed[0] == '\0' || failed(job, 0, text);
 }
 
 /* Draws both ways. Frames and canaries must be the same: both were before. */
@@ -163,7 +171,6 @@ static bool same(struct job *job, char text[ASM_TEXT])
 {
     const struct image *own = &job->own, *twin = &job->twin;
     const size_t pixels = (size_t)own->stride * (QUEUE_LENGTH - 1) + WIDTH;
-    char what[ASM_NAME];
 
     for (int i = 0; i < job->count; i++) {
         const struct segment *s = &job->segments[i];
@@ -174,7 +181,7 @@ static bool same(struct job *job, char text[ASM_TEXT])
         asm_twin_segment(twin->pixels + (s->pixels - own->pixels), s->count, at, (int)s->length,
                          &job->texture, job->g);
     }
-    if (!inside(job, text)) {
+    if (!call_holds(job, text)) {
         return false;
     }
     if (memcmp(own->pixels, twin->pixels, pixels * sizeof *own->pixels) == 0) {
@@ -185,10 +192,10 @@ static bool same(struct job *job, char text[ASM_TEXT])
         i++;
     }
     const int row = (int)(i / (size_t)own->stride);
-    snprintf(what, sizeof what, "column %d of row %d, a frame %d wide: expected %08X, got %08X",
+    snprintf(text, ASM_TEXT, "column %d of row %d, a frame %d wide: expected %08X, got %08X",
              (int)(i % (size_t)own->stride), row, WIDTH, (unsigned)twin->pixels[i],
              (unsigned)own->pixels[i]);
-    return failed(job, what, row < job->count ? row : 0, text);
+    return failed(job, row < job->count ? row : 0, text);
 }
 
 bool asm_segments(long segments, char text[ASM_TEXT])
@@ -224,34 +231,12 @@ bool asm_guards(char text[ASM_TEXT])
         job_create(&job, &random, random_int(&random, 0, SETTINGS - 1), i % 2);
         for (int k = 0; hold && k < GUARD_CALLS; k++) {
             next_segments(&job, &random, &rows, true);
-            hold = inside(&job, text);
+            hold = call_holds(&job, text);
         }
         job_destroy(&job);
         guarded_destroy(&memory);
     }
     return hold;
-}
-
-bool asm_convention(char text[ASM_TEXT])
-{
-    struct random random = random_start(503);
-    struct job job;
-
-    job_create(&job, &random, SETTINGS / 2, true);
-    job.changed[0] = '\0';
-    for (int i = 0; i < CONVENTION_CALLS && job.changed[0] == '\0'; i++) {
-        char ignored[ASM_TEXT]; /* where it touches a guard page it does not come back */
-        next_segments(&job, &random, &job.own, false);
-        inside(&job, ignored);
-    }
-    if (job.changed[0] != '\0') {
-        char what[2 * ASM_NAME];
-        snprintf(what, sizeof what, "not as they were: %s", job.changed);
-        failed(&job, what, 0, text);
-    }
-    const bool kept = job.changed[0] == '\0';
-    job_destroy(&job);
-    return kept;
 }
 
 #endif

@@ -1,3 +1,3 @@
-# stage5_asm/span.S: asm: span.S: nothing beside the rows of frame and texture is touched
+# stage5_asm/span.S: asm: span.S: calls touch frame and texture only, and keep the calling convention
 # A lane that has drawn its last pixel draws on beside it, where another lane is longer.
 s/^ *cmovge *r14, .*$//
