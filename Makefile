@@ -93,8 +93,8 @@ $(BUILD)/texmap $(BUILD)/stability: $(BUILD)/texmap.a
 $(filter-out %/texmap %/stability,$(PROGRAMS)): $(LIBRARIES)
 $(PROGRAMS):
 	$(call say,LD) $(CC) $(CFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
-# texmap with allocations that fail, one after another.
-$(BUILD)/memory: LDLIBS += $(foreach name,malloc calloc realloc open_memstream,-Wl,--wrap=$(name))
+# texmap with allocations that fail, one after another, and a clock that runs fast.
+$(BUILD)/memory: LDLIBS += $(foreach name,malloc calloc realloc open_memstream clock_gettime,-Wl,--wrap=$(name))
 
 #: make debug         build/debug/texmap with -O0 -g, to step through a stage in gdb
 debug:

@@ -1,30 +1,25 @@
 #!/bin/sh
 # tests/unit/faults.sh: whatever fails, an output is there in full or not at all, what was there
-# before stays, and texmap says why in one line and exits with 2. TEXMAP_BUILD and TEXMAP_PROGRAM
-# come from build/test.
+# before stays, and texmap says why in one line and exits with 2.
 
-top=$PWD
-absolute() { case $1 in /*) echo "$1" ;; *) echo "$top/$1" ;; esac; }
-texmap=$(absolute "${TEXMAP_PROGRAM:-build/texmap}")
-memory=$(absolute "${TEXMAP_BUILD:-build}/memory")
-work=$(mktemp -d /tmp/texmap_faults_XXXXXX) || exit 1
+. tests/unit/with_texmap.sh
 trap 'cd /; umount "$work/out" 2> /dev/null; rm -rf "$work"' EXIT
-cd "$work" && mkdir out || exit 1
+mkdir out || exit 1
 
-wall='--scene wall --size 64x48'
-"$texmap" scene $wall -o in.tri 2> /dev/null
-"$texmap" bench --scene wall --size 8x8 --seconds 1 --csv in.csv > bench.txt 2>&1
+wall="--scene wall $small"
+texmap scene $wall -o in.tri 2> /dev/null
+cp "$top/tests/results/bench.csv" in.csv
 printf 'P6 1 1 255 abc' > in.ppm
 
 # The commands that write a file, here OUT; and those of them that print as well.
 writes="render --stage 1 $wall --texture in.ppm -o OUT.ppm
 render --stage 4 $wall -o OUT.png
-trace --stage 4 --triangles in.tri --size 64x48 --csv OUT.csv
+trace --stage 4 --triangles in.tri $small --csv OUT.csv
 chart in.csv -o OUT.svg
 scene $wall -o OUT.tri"
 prints="diff --stages 1,2 $wall -o OUT.png
-accuracy --stage all --triangles in.tri --size 64x48 --csv OUT.csv
-bench --scene room --size 64x48 --seconds 1 --csv OUT.csv"
+accuracy --stage all --triangles in.tri $small --csv OUT.csv
+bench --scene room $small --seconds 1 --csv OUT.csv"
 
 # result NAME: passed, where the variable `why` is empty; else the rest is not tried.
 result() {
@@ -49,7 +44,7 @@ fails() {
             file=old.${command##*.}
             [ $to = out/new ] || { echo before > "out/$file"; ln -s "out/$file" "link.${file#*.}"; }
             was=$(state)
-            line="$4 exec '$texmap' $(echo "$command" | sed "s|OUT|$to|") $5"
+            line="$4 exec '$TEXMAP_PROGRAM' $(echo "$command" | sed "s|OUT|$to|") $5"
             text=$(sh -c "$line" 2>&1 > /dev/null)
             status=$?
             case $status$text in
@@ -68,7 +63,7 @@ fails 'a limit on the size of files: outputs stay as they were' 'cannot be writt
 $prints
 scene --scene mesh -o OUT.tri" 'ulimit -f 0;' ''
 fails 'standard output that fails: no file is written' 'standard output' "$prints" '' '> /dev/full'
-text=$( (ulimit -f 0; exec "$texmap" help) 2>&1 > out/new)
+text=$( (ulimit -f 0; exec "$TEXMAP_PROGRAM" help) 2>&1 > out/new)
 case $?$text in '2texmap: standard output: '*) ;; *) why=$text ;; esac
 result 'a limit on the size of files: standard output'
 if mount -t tmpfs -o size=64k none out 2> /dev/null; then
@@ -81,26 +76,26 @@ fi
 
 # Each allocation of each command fails. Those before the last write no file.
 while IFS= read -r command; do
-    "$memory" $(echo "$command" | sed 's|OUT|out/new|') > log 2>&1 &&
+    "$TEXMAP_BUILD/memory" $(echo "$command" | sed 's|OUT|out/new|') > log 2>&1 &&
         [ "$(state | wc -l)" -le 1 ] ||
         why="texmap $command: $(tail -n 9 log) left in out/: $(state)"
     rm -rf out/*
 done << END
 $writes
 $prints
-trace --stage 4 --triangles in.tri --size 64x48
+trace --stage 4 --triangles in.tri $small
 END
 result 'without memory each command says so'
-(cd "$top" && "$memory" report -o "$work/out/new/folder") > /dev/full 2> log
+(cd "$top" && "$TEXMAP_BUILD/memory" report -o "$work/out/new/folder") > /dev/full 2> log
 [ $? -eq 2 ] && [ -z "$(state)" ] || why="$(tail -n 9 log) left in out/: $(state)"
 result 'without memory report says so, and when it fails it leaves no folder'
 
 mesh='scene --scene mesh --size 1024x768 -o'
-"$texmap" $mesh full.tri 2> /dev/null
+texmap $mesh full.tri 2> /dev/null
 ended=0
 for delay in 0 .01 .02 .03 .04 .05 .06 .07 .08 .1 .12 .15 .2 .3; do
     echo before > out/old.tri
-    "$texmap" $mesh out/old.tri 2> /dev/null &
+    "$TEXMAP_PROGRAM" $mesh out/old.tri 2> /dev/null &
     sleep $delay
     kill -TERM $! 2> /dev/null
     wait $! 2> /dev/null
@@ -111,11 +106,11 @@ done
 [ $ended -gt 0 ] || why="${why}no signal came in time"
 result 'SIGTERM at any time: an output is the old one or the new one'
 
-"$texmap" render --stage 3 --scene room -o a.ppm 2> /dev/null
-"$texmap" render --stage 3 --scene wall --size 800x600 -o b.ppm 2> /dev/null
+texmap render --stage 3 --scene room -o a.ppm 2> /dev/null
+texmap render --stage 3 --scene wall --size 800x600 -o b.ppm 2> /dev/null
 for round in 1 2 3 4 5 6 7 8 9 10; do
-    "$texmap" render --stage 3 --scene room -o out/new.ppm 2> /dev/null &
-    "$texmap" render --stage 3 --scene wall --size 800x600 -o out/new.ppm 2> /dev/null
+    texmap render --stage 3 --scene room -o out/new.ppm 2> /dev/null &
+    texmap render --stage 3 --scene wall --size 800x600 -o out/new.ppm 2> /dev/null
     wait
     [ "$(ls -A out)" = new.ppm ] && { cmp -s out/new.ppm a.ppm || cmp -s out/new.ppm b.ppm; } ||
         why="round $round: $(ls -lA out)"
@@ -123,10 +118,10 @@ done
 result 'two writers into one name: one of them has written it'
 
 render="render --stage 3 $wall -o"
-"$texmap" $render a.ppm 2> /dev/null
+texmap $render a.ppm 2> /dev/null
 ln -s out/new.ppm link.ppm
 for way in 'to nothing' 'to a file'; do
-    "$texmap" $render link.ppm 2> log && [ -L link.ppm ] && cmp -s out/new.ppm a.ppm ||
+    texmap $render link.ppm 2> log && [ -L link.ppm ] && cmp -s out/new.ppm a.ppm ||
         why="$way: $(cat log)"
     chmod 640 out/new.ppm
 done
@@ -134,15 +129,15 @@ done
 result 'a link stays, and what it points to is replaced and keeps its permissions'
 
 ln -s /dev/null link.ppm
-"$texmap" $render link.ppm 2> log && [ -L link.ppm ] && [ -c /dev/null ] ||
+texmap $render link.ppm 2> log && [ -L link.ppm ] && [ -c /dev/null ] ||
     why="/dev/null: $(cat log)"
 ln -sf /dev/full link.ppm
-"$texmap" $render link.ppm 2> log
+texmap $render link.ppm 2> log
 [ $? -eq 2 ] && [ -L link.ppm ] && [ -c /dev/full ] || why="/dev/full: $(cat log)"
 mkfifo out/pipe.ppm
 cmp -s out/pipe.ppm a.ppm &
-"$texmap" $render out/pipe.ppm 2> log || why="a pipe: $(cat log)"
+texmap $render out/pipe.ppm 2> log || why="a pipe: $(cat log)"
 wait $! && [ -p out/pipe.ppm ] || why='a pipe: another picture'
-"$texmap" accuracy --stage 1 $wall --csv /dev/stdout > out/printed 2> log
+texmap accuracy --stage 1 $wall --csv /dev/stdout > out/printed 2> log
 [ "$(grep -c '^stage[,1 ]' out/printed)" -eq 4 ] || why="standard output: $(cat log out/printed)"
 result 'devices, pipes and standard output are written at once'

@@ -14,9 +14,11 @@
 struct part {
     const char *group;
     void (*run)(void);
+    const char *script; /* where `run` is NULL */
 };
 
-#define GROUP(name, function) {#name, function},
+#define GROUP(name, function) {#name, function, NULL},
+#define SCRIPT(name, command) {#name, NULL, command},
 static const struct part parts[] = {TEST_GROUPS};
 
 #define PART_COUNT (sizeof parts / sizeof parts[0])
@@ -31,7 +33,12 @@ static void run(size_t i)
 {
     check_group_begin(parts[i].group);
     do {
-        parts[i++].run();
+        if (parts[i].run) {
+            parts[i].run();
+        } else {
+            check_script(parts[i].script);
+        }
+        i++;
     } while (i < PART_COUNT && !begins_group(i));
     check_group_end();
 }

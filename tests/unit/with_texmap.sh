@@ -1,7 +1,10 @@
 # tests/unit/with_texmap.sh: what the tests of texmap as its users run it share, read by them. They
 # run in an empty folder. TEXMAP_PROGRAM and TEXMAP_BUILD come from build/test.
 
-case ${TEXMAP_PROGRAM:=build/texmap} in /*) ;; *) TEXMAP_PROGRAM=$PWD/$TEXMAP_PROGRAM ;; esac
+top=$PWD
+absolute() { case $1 in /*) echo "$1" ;; *) echo "$top/$1" ;; esac; }
+export TEXMAP_PROGRAM="$(absolute "${TEXMAP_PROGRAM:-build/texmap}")"
+export TEXMAP_BUILD="$(absolute "${TEXMAP_BUILD:-build}")"
 work=$(mktemp -d /tmp/texmap_cli_XXXXXX) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
