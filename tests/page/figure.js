@@ -85,11 +85,10 @@ class Figure {
     this.drawGrid(c);
     this.drawMarks(c);
     this.drawStep(c);
-    for (const triangle of model.rounded) {
-      this.drawOutline(c, triangle, "ink", 2, []);
-    }
+    const at = (x, y) => this.toCanvas(x, y);
+    model.rounded.forEach((points) => outline(c, points, at, "ink", 2));
     this.given = cornersOf(model.given, 0);
-    this.drawOutline(c, this.given, "accent", 1.5, [5, 4]);
+    outline(c, this.given, at, "accent", 1.5, [5, 4]);
     this.given.forEach((vertex, i) => this.placeHandle(this.handles[i], vertex, "ABC"[i]));
   }
 
@@ -113,32 +112,27 @@ class Figure {
   drawGrid(c) {
     const { x, y, w, h } = this.window, cell = this.cell;
     const every = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((n) => n * cell >= 24);
-    c.fillStyle = colour("soft");
     c.font = "11px system-ui, sans-serif";
-    c.textAlign = "center";
-    c.textBaseline = "middle";
-    for (const [from, count, at, ends] of [
-      [x, w, (t) => [MARGIN + t, MARGIN - 12], (t) => [t, 0, t, h * cell]],
-      [y, h, (t) => [MARGIN - 13, MARGIN + t], (t) => [0, t, w * cell, t]]]) {
+    for (const [from, count, length, at] of [[x, w, h * cell, (along, across) => [along, across]],
+      [y, h, w * cell, (along, across) => [across, along]]]) {
       for (let i = 0; i <= count; i++) {
+        const along = MARGIN + i * cell;
         if (cell >= MARKS_FROM) {
-          line(c, ...ends(i * cell).map((t) => t + MARGIN), colour("line"));
+          path(c, [at(along, MARGIN), at(along, MARGIN + length)], "line");
         }
         if (i < count && (from + i) % every === 0) {
-          c.fillText(String(from + i), ...at((i + 0.5) * cell));
+          label(c, String(from + i), ...at(along + cell / 2, MARGIN - 12));
         }
       }
     }
-    c.fillText("x \u2192", MARGIN - 10, MARGIN - 14);
+    label(c, "x \u2192", MARGIN - 10, MARGIN - 14);
     if (cell >= 12) {
       this.eachPixel((i, j) => {
         const [cx, cy] = this.toCanvas(i, j);
         c.fillRect(cx - 1, cy - 1, 2, 2);
       });
     }
-    c.strokeStyle = colour("soft");
-    c.setLineDash([]);
-    c.strokeRect(MARGIN, MARGIN, w * cell, h * cell);
+    border(c, MARGIN, MARGIN, w * cell, h * cell, "soft");
   }
 
   /* Wrong texels, missing pixels, pixels too many. */
@@ -151,11 +145,10 @@ class Figure {
     this.eachPixel((x, y, i) => {
       const error = errorAt(errors, i), [cx, cy] = this.toCanvas(x, y);
       if (error === OTHER_SURFACE) {
-        c.fillStyle = colour("wrong");
-        c.fillText(frame[i] ? "+" : "\u2212", cx, cy);
+        label(c, frame[i] ? "+" : "\u2212", cx, cy, "wrong");
       } else if (error) {
-        line(c, cx - arm, cy - arm, cx + arm, cy + arm, colour("wrong"), 1.5);
-        line(c, cx - arm, cy + arm, cx + arm, cy - arm, colour("wrong"), 1.5);
+        path(c, [[cx - arm, cy - arm], [cx + arm, cy + arm]], "wrong", 1.5);
+        path(c, [[cx - arm, cy + arm], [cx + arm, cy - arm]], "wrong", 1.5);
       }
     });
   }
@@ -172,30 +165,14 @@ class Figure {
     c.globalAlpha = 1;
     if (step.x !== undefined) {
       const [cx] = this.toCanvas(step.x - 0.5, step.y);
-      c.strokeStyle = colour("now");
-      c.lineWidth = 3;
-      c.setLineDash([]);
-      c.strokeRect(cx, top, this.cell * (step.count || 1), this.cell);
+      border(c, cx, top, this.cell * step.count, this.cell, "now", 3);
     }
     if (step.edge) {
-      const [from, to] = step.edge.map((p) => this.toCanvas(...p));
-      line(c, ...from, ...to, colour("now"), 6);
-      step.path.map((p) => this.toCanvas(...p)).forEach((at, i, all) => {
-        c.fillStyle = colour("accent");
-        c.fillRect(at[0] - 4, at[1] - 4, 8, 8);
-        line(c, ...(all[i - 1] || at), ...at, colour("accent"), 3);
-      });
+      const [edge, way] = [step.edge, step.path].map((all) => all.map((p) => this.toCanvas(...p)));
+      path(c, edge, "now", 6);
+      path(c, way, "accent", 3);
+      way.forEach((at) => dot(c, at, 5, "accent"));
     }
-  }
-
-  drawOutline(c, points, name, width, dash) {
-    c.beginPath();
-    points.forEach((p) => c.lineTo(...this.toCanvas(p.x, p.y)));
-    c.closePath();
-    c.strokeStyle = colour(name);
-    c.lineWidth = width;
-    c.setLineDash(dash);
-    c.stroke();
   }
 
   placeHandle(handle, vertex, name) {

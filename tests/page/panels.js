@@ -198,24 +198,21 @@ function drawChords(run, event) {
     [Math.min(...values), Math.max(...values)], "u");
   const lower = plot(c, [44, 196, width - 54, 80], along, [-high, high], "error");
   if (event && event.x !== undefined) {
-    const [now] = upper.at([event.x - first, 0]);
-    line(c, now, 12, now, 276, colour("now"), 2);
+    const [now] = upper([event.x - first, 0]);
+    path(c, [[now, 12], [now, 276]], "now", 2);
   }
-  upper.path(fine.map((p) => [p, curve(p)]), "accent", 2.5, []);
-  chord.forEach((point) => upper.dot(point, "warn"));
+  path(c, fine.map((p) => upper([p, curve(p)])), "accent", 2.5);
+  chord.forEach((point) => dot(c, upper(point), 3, "warn"));
   if (segments.length) {
-    upper.path(chord, "warn", 2, [7, 4]);
-    lower.path(fine.map((p) => [p, off(p)]), "wrong", 2, []);
+    path(c, chord.map(upper), "warn", 2, [7, 4]);
+    path(c, fine.map((p) => lower([p, off(p)])), "wrong", 2);
   } else {
-    fine.forEach((p) => lower.dot([p, off(p)], "wrong"));
+    fine.forEach((p) => dot(c, lower([p, off(p)]), 3, "wrong"));
   }
   segments.forEach(({ x, v }, i) => [-bounds[i], bounds[i]].forEach((y) =>
-    lower.path([[x - first, y], [x - first + v.length, y]], "ink", 1.2, [2, 4])));
-  c.fillStyle = colour("soft");
-  c.textAlign = "left";
-  c.fillText(`x = ${first}`, 44, 290);
-  c.textAlign = "right";
-  c.fillText(`${span.end - 1}`, width - 10, 290);
+    path(c, [[x - first, y], [x - first + v.length, y]].map(lower), "ink", 1.2, [2, 4])));
+  label(c, `x = ${first}`, 44, 290, "soft", "left");
+  label(c, String(span.end - 1), width - 10, 290, "soft", "right");
 }
 
 /* The line through points, at p. */
@@ -228,37 +225,16 @@ function between(points, p) {
   return y0 + (y1 - y0) * (p - x0) / (x1 - x0);
 }
 
-/* A frame with a vertical scale, and how to draw into it. */
+/* A box with a vertical scale; returns where a point lies in it. */
 function plot(c, [left, top, width, height], [x0, x1], [y0, y1], name) {
   const at = ([x, y]) => [left + width * (x - x0) / (x1 - x0),
     top + height * (1 - (y - y0) / (y1 - y0 || 1))];
-  c.strokeStyle = colour("line");
-  c.strokeRect(left, top, width, height);
-  c.fillStyle = colour("soft");
-  c.textAlign = "right";
-  c.textBaseline = "middle";
-  c.fillText(show(y1, 3), left - 4, top + 6);
-  c.fillText(show(y0, 3), left - 4, top + height - 6);
-  c.fillText(name, left - 4, top + height / 2);
-  if (y0 < 0 && y1 > 0) {
-    line(c, left, at([x0, 0])[1], left + width, at([x0, 0])[1], colour("line"));
+  border(c, left, top, width, height, "line");
+  for (const [text, y] of [[show(y1, 3), 6], [name, height / 2], [show(y0, 3), height - 6]]) {
+    label(c, text, left - 4, top + y, "soft", "right");
   }
-  return {
-    at,
-    path(points, stroke, size, dash) {
-      c.beginPath();
-      points.forEach((point) => c.lineTo(...at(point)));
-      c.strokeStyle = colour(stroke);
-      c.lineWidth = size;
-      c.setLineDash(dash);
-      c.stroke();
-      c.setLineDash([]);
-    },
-    dot(point, fill) {
-      c.beginPath();
-      c.arc(...at(point), 3, 0, 7);
-      c.fillStyle = colour(fill);
-      c.fill();
-    },
-  };
+  if (y0 < 0 && y1 > 0) {
+    path(c, [at([x0, 0]), at([x1, 0])], "line");
+  }
+  return at;
 }

@@ -1,5 +1,6 @@
-/* Pictures of the room: any two of seven, under one zoom and one cursor. Stages 1 to 4 and the
- * exact answer are drawn here; stage 5 and the coda cannot run in a browser: the page has them. */
+/* Pictures of the room: any two of seven, under one zoom and one cursor. The page has them; their
+ * errors are measured here. Stage 5 and the coda cannot run in a browser: of these the page has the
+ * frame with the texture `coord`, too. */
 
 class Pictures extends Part {
   static async load(stages) {
@@ -9,18 +10,17 @@ class Pictures extends Part {
     stages.room(ROOM_FRAME, 0, 0);
     stages.measurable();
     for (const { number } of STAGES) {
-      const recorded = [byId(`picture-${number}`), byId(`coord-${number}`)];
-      if (recorded[1]) {
-        const [picture, coord] = await Promise.all(recorded.map(pixelsOf));
-        rooms.set(number, { ...stages.compare(number, coord), picture });
-      } else if (recorded[0]) {
-        rooms.set(number, { ...stages.measure(number), picture: stages.draw(number, TEXTURE_OWN) });
+      const picture = byId(`picture-${number}`), coord = byId(`coord-${number}`);
+      if (picture) {
+        await picture.decode();
+        rooms.set(number, { picture, ...(coord ? stages.compare(number, await pixelsOf(coord))
+          : stages.measure(number)) });
       }
     }
     return new Pictures(rooms);
   }
 
-  /* rooms: by number, how a stage errs there, and its picture. */
+  /* rooms: by number, a stage's picture, and how it errs there. */
   constructor(rooms) {
     const labels = Array.from(rooms.keys(), (n) => [n, `${n} ${stageOf(n).name}`]);
     super("pictures", {
@@ -87,24 +87,24 @@ class Pictures extends Part {
   }
 
   paint(c, n, width, height, atRight) {
-    const { x, y, w, h } = this.view(), room = this.rooms.get(n);
-    const at = (i, j) => (y + j) * ROOM_SIZE[0] + x + i;
-    drawPixels(c, (i, j) => {
-      const error = this.state.show === "error" ? errorAt(room.errors, at(i, j)) : -1;
-      return error < 0 ? room.picture[at(i, j)]
-        : pixelOf(error === 0 ? "raised" : errorClass(error));
-    }, w, h, width / w);
+    const { x, y, w, h } = this.view(), { picture, errors } = this.rooms.get(n);
+    if (this.state.show === "error") {
+      drawPixels(c, (i, j) => {
+        const error = errorAt(errors, (y + j) * ROOM_SIZE[0] + x + i);
+        return pixelOf(error === 0 ? "raised" : errorClass(error));
+      }, w, h, width / w);
+    } else {
+      c.imageSmoothingEnabled = false;
+      c.drawImage(picture, x, y, w, h, 0, 0, width, height);
+    }
     const [cx, cy] = this.hover || this.state.at;
-    c.strokeStyle = colour("now");
-    c.lineWidth = 2;
-    c.strokeRect((cx - x) * width / w - 1, (cy - y) * height / h - 1, width / w + 2,
-      height / h + 2);
+    border(c, (cx - x) * width / w - 1, (cy - y) * height / h - 1, width / w + 2, height / h + 2,
+      "now", 2);
+    const name = this.names.get(n), wide = c.measureText(name).width + 12;
+    const from = atRight ? width - wide : 0;
     c.fillStyle = colour("paper");
-    const label = c.measureText(this.names.get(n)).width + 12, from = atRight ? width - label : 0;
-    c.fillRect(from, 0, label, 20);
-    c.fillStyle = colour("ink");
-    c.textBaseline = "middle";
-    c.fillText(this.names.get(n), from + 6, 10);
+    c.fillRect(from, 0, wide, 20);
+    label(c, name, from + 6, 10, "ink", "left");
   }
 
   draw() {
@@ -120,7 +120,7 @@ class Pictures extends Part {
       c.clearRect(0, 0, width, height);
       this.paint(c, state.with, width, height, true);
       c.restore();
-      line(c, left, 0, left, height, colour("now"), 3);
+      path(c, [[left, 0], [left, height]], "now", 3);
     }
     byId("error-legend").hidden = state.show !== "error";
     this.say();
@@ -148,7 +148,3 @@ async function pixelsOf(image) {
   const bytes = c.getImageData(0, 0, canvas.width, canvas.height).data;
   return new Uint32Array(bytes.buffer).map((pixel) => (pixel & 0xFFFFFF ? swapped(pixel) : 0));
 }
-
-/* A colour of page.css, #rrggbb there, as 0xAARRGGBB. */
-const pixelOf = (name) =>
-  (colours[`${name} pixel`] ||= (0xFF000000 | parseInt(colour(name).slice(1), 16)) >>> 0);

@@ -153,10 +153,12 @@ class Stages {
   }
 }
 
-/* A triangle's corners as a stage has them that gives vertices `grid` places a pixel; 0: as they
- * are given. */
+/* Where a stage puts a coordinate that gives vertices `grid` places a pixel; 0: as it is given. */
+const placeOn = (grid) => (c) => (grid ? Math.floor(c * grid + 0.5) / grid : c);
+
+/* A triangle's corners there. */
 function cornersOf(triangle, grid) {
-  const place = (c) => (grid ? Math.floor(c * grid + 0.5) / grid : c);
+  const place = placeOn(grid);
   return [0, 5, 10].map((i) => ({ x: place(triangle[i]), y: place(triangle[i + 1]),
     z: triangle[i + 2], u: triangle[i + 3], v: triangle[i + 4] }));
 }

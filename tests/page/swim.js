@@ -48,7 +48,7 @@ class Swim extends Part {
     stages.measurable();
     return new Map(SWIM_STAGES.map((n) => [n, {
       ...(n === EXACT ? {} : stages.measure(n)),
-      vertices: list.flatMap((triangle) => cornersOf(triangle, stageOf(n).grid)),
+      triangles: list.map((triangle) => cornersOf(triangle, stageOf(n).grid)),
       picture: drawn && stages.draw(n, TEXTURE_OWN),
     }]));
   }
@@ -65,27 +65,18 @@ class Swim extends Part {
 
   drawView({ n, canvas, says }, now, before) {
     const { x, y, w, h } = SWIM_WINDOW, cell = (canvas.clientWidth || 300) / w;
-    const [c] = context(canvas, Math.ceil(cell * h)), { picture, vertices } = now.get(n);
+    const [c] = context(canvas, Math.ceil(cell * h)), { picture, triangles } = now.get(n);
     drawPixels(c, (i, j) => picture[(y + j) * ROOM_SIZE[0] + x + i], w, h, cell);
     const changed = n === EXACT ? 0 : drawChanged(c, now.get(n).errors, before.get(n).errors, cell);
-    const at = (p) => [(p.x - x + 0.5) * cell, (p.y - y + 0.5) * cell];
-    const given = now.get(EXACT).vertices, letters = lettersOf(given);
-    const jumps = jumped(before, now, n);
-    for (const [points, name, dash] of [[vertices, "now", []], [given, "accent", [5, 4]]]) {
-      points.forEach((p, i) => line(c, ...at(p), ...at(points[i % 3 < 2 ? i + 1 : i - 2]),
-        colour(name), 2, dash));
+    const at = (px, py) => [(px - x + 0.5) * cell, (py - y + 0.5) * cell];
+    const given = now.get(EXACT).triangles, jumps = n === EXACT ? "" : jumped(before, now, n);
+    triangles.forEach((points) => outline(c, points, at, "now", 2));
+    given.forEach((points) => outline(c, points, at, "accent", 2, [5, 4]));
+    for (const [letter, vertex] of lettersOf(given)) {
+      const [px, py] = at(vertex.x, vertex.y), jump = jumps.includes(letter);
+      dot(c, [px + 14, py], 10, jump ? "now" : "paper");
+      label(c, letter, px + 14, py, jump ? "paper" : "ink");
     }
-    c.textAlign = "center";
-    c.textBaseline = "middle";
-    given.forEach((p, i) => {
-      const [px, py] = at(p), jump = n !== EXACT && jumps.includes(letters[i]);
-      c.fillStyle = colour(jump ? "now" : "paper");
-      c.beginPath();
-      c.arc(px + 14, py, 10, 0, 7);
-      c.fill();
-      c.fillStyle = colour(jump ? "paper" : "ink");
-      c.fillText(letters[i], px + 14, py);
-    });
     says.textContent = n === EXACT ? "Exact. The texture goes along with the wall."
       : `Stage ${n}: ${stageOf(n).name}. ${plural(changed, "pixel")} here changed by ` +
         `${SWIM_CHANGE} texels or more` +
@@ -115,19 +106,13 @@ class Swim extends Part {
     const step = (width - 54) / SWIM_FRAMES;
     [2, 3].forEach((n, row) => {
       const top = 20 + row * (height + 14);
-      const area = plot(c, [44, top, width - 54, height - 20], [0, SWIM_FRAMES], [0, most], "");
-      c.textAlign = "left";
-      c.fillStyle = colour("ink");
-      c.fillText(`Stage ${n}`, 48, top + 10);
-      c.textAlign = "center";
+      const at = plot(c, [44, top, width - 54, height - 20], [0, SWIM_FRAMES], [0, most], "");
+      label(c, `Stage ${n}`, 48, top + 10, "ink", "left");
       all.forEach((one, t) => {
-        const { rms, jumps } = one[row];
-        const [left, y] = area.at([t, rms]), [, bottom] = area.at([t, 0]);
-        c.fillStyle = colour(t === this.state.frame ? "now" : jumps ? "warn" : "soft");
+        const { rms, jumps } = one[row], [left, y] = at([t, rms]), [, bottom] = at([t, 0]);
+        const fill = t === this.state.frame ? "now" : jumps ? "warn" : "soft";
+        label(c, n === 2 ? jumps : "", left + step / 2, Math.max(y - 7, top - 8), fill);
         c.fillRect(left, y, Math.max(step - 1, 1), bottom - y);
-        if (n === 2) {
-          c.fillText(jumps, left + step / 2, Math.max(y - 7, top - 8));
-        }
       });
     });
   }
@@ -161,33 +146,17 @@ function swimChange({ errors: a }, { errors: b, pixels }) {
   return Math.sqrt(sum / Math.max(pixels, 1));
 }
 
-/* A letter for each vertex, the same in all triangles that share it. */
-function lettersOf(vertices) {
-  const keys = vertices.map(({ x, y }) => `${x} ${y}`), all = Array.from(new Set(keys));
-  return keys.map((key) => String.fromCharCode(65 + all.indexOf(key)));
+/* By letter, the vertices; one that triangles share has one letter. */
+function lettersOf(triangles) {
+  const all = new Map(triangles.flat().map((vertex) => [`${vertex.x} ${vertex.y}`, vertex]));
+  return new Map(Array.from(all.values(), (vertex, i) => [String.fromCharCode(65 + i), vertex]));
 }
 
 /* The letters of the vertices that a stage rounds to another place than before. */
 function jumped(before, now, n) {
-  const was = before.get(n).vertices, letters = lettersOf(now.get(EXACT).vertices);
-  return Array.from(new Set(now.get(n).vertices
-    .map((p, i) => (was[i] && (was[i].x !== p.x || was[i].y !== p.y) ? letters[i] : ""))))
-    .sort().join("");
+  const was = lettersOf(before.get(EXACT).triangles), place = placeOn(stageOf(n).grid);
+  return Array.from(lettersOf(now.get(EXACT).triangles)).filter(([letter, { x, y }]) => {
+    const old = was.get(letter);
+    return old && (place(x) !== place(old.x) || place(y) !== place(old.y));
+  }).map(([letter]) => letter).join("");
 }
-
-/* Pixels 0xAARRGGBB, one by one, so that each is sharp. */
-function drawPixels(c, pixelAt, w, h, cell) {
-  const image = new ImageData(w, h), bytes = new Uint32Array(image.data.buffer);
-  for (let i = 0; i < w * h; i++) {
-    bytes[i] = swapped(pixelAt(i % w, Math.floor(i / w)));
-  }
-  const canvas = drawPixels.canvas ||= document.createElement("canvas");
-  canvas.width = w;
-  canvas.height = h;
-  canvas.getContext("2d").putImageData(image, 0, 0);
-  c.imageSmoothingEnabled = false;
-  c.drawImage(canvas, 0, 0, w * cell, h * cell);
-}
-
-/* From 0xAARRGGBB to the order of a canvas's bytes: R first. */
-const swapped = (pixel) => pixel & 0xFF00FF00 | (pixel & 0xFF) << 16 | pixel >>> 16 & 0xFF;

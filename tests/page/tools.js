@@ -47,20 +47,64 @@ function context(canvas, height) {
   c.setTransform(ratio, 0, 0, ratio, 0, 0);
   c.clearRect(0, 0, width, height);
   c.font = "12px system-ui, sans-serif";
-  c.lineWidth = 1;
-  c.setLineDash([]);
+  c.textBaseline = "middle";
   return [c, width];
 }
 
-function line(c, x1, y1, x2, y2, stroke, width = 1, dash = []) {
+/* What is drawn into it, in colours of page.css: a line through points, a box's border, a text. */
+function path(c, points, stroke, width = 1, dash = []) {
   c.beginPath();
-  c.moveTo(x1, y1);
-  c.lineTo(x2, y2);
-  c.strokeStyle = stroke;
+  points.forEach(([x, y]) => c.lineTo(x, y));
+  c.strokeStyle = colour(stroke);
   c.lineWidth = width;
   c.setLineDash(dash);
   c.stroke();
 }
+
+function border(c, x, y, w, h, stroke, width = 1) {
+  c.strokeStyle = colour(stroke);
+  c.lineWidth = width;
+  c.setLineDash([]);
+  c.strokeRect(x, y, w, h);
+}
+
+function label(c, text, x, y, fill = "soft", align = "center") {
+  c.fillStyle = colour(fill);
+  c.textAlign = align;
+  c.fillText(text, x, y);
+}
+
+function dot(c, [x, y], radius, fill) {
+  c.fillStyle = colour(fill);
+  c.beginPath();
+  c.arc(x, y, radius, 0, 7);
+  c.fill();
+}
+
+/* A triangle's outline, of points {x, y} that `at` puts on the canvas. */
+const outline = (c, [first, ...others], at, stroke, width, dash) =>
+  path(c, [first, ...others, first].map(({ x, y }) => at(x, y)), stroke, width, dash);
+
+/* Pixels 0xAARRGGBB, one by one, so that each is sharp. */
+function drawPixels(c, pixelAt, w, h, cell) {
+  const image = new ImageData(w, h), bytes = new Uint32Array(image.data.buffer);
+  for (let i = 0; i < w * h; i++) {
+    bytes[i] = swapped(pixelAt(i % w, Math.floor(i / w)));
+  }
+  const canvas = drawPixels.canvas ||= document.createElement("canvas");
+  canvas.width = w;
+  canvas.height = h;
+  canvas.getContext("2d").putImageData(image, 0, 0);
+  c.imageSmoothingEnabled = false;
+  c.drawImage(canvas, 0, 0, w * cell, h * cell);
+}
+
+/* From 0xAARRGGBB to the order of a canvas's bytes: R first. */
+const swapped = (pixel) => pixel & 0xFF00FF00 | (pixel & 0xFF) << 16 | pixel >>> 16 & 0xFF;
+
+/* A colour of page.css, #rrggbb there, as 0xAARRGGBB. */
+const pixelOf = (name) =>
+  (colours[`${name} pixel`] ||= (0xFF000000 | parseInt(colour(name).slice(1), 16)) >>> 0);
 
 /* Calls `draw` once before the next frame that is shown, however often it is asked for. */
 function later(draw) {
