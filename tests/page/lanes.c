@@ -38,11 +38,12 @@ static void print_step(FILE *out, const struct trace *trace, const struct step *
 
 static void print_recording(FILE *out, const struct trace *trace, const char *name)
 {
+    const struct step_group *first = &trace->steps.groups[1]; /* behind what comes before it */
     const char *separator = "";
 
     fprintf(out, "{\"name\":\"%s\",\"segments\":[", name);
     for (int lane = 0; lane < STEPS_LANES; lane++) {
-        const struct step_segment *segment = &trace->steps.calls[0][lane];
+        const struct step_segment *segment = &first->segments[lane];
         const int at = (int)(segment->pixels - trace->frame.pixels);
         fprintf(out, "%s[%d,%d,%d]", lane ? "," : "", at % trace->frame.stride,
                 at / trace->frame.stride, segment->count);
@@ -50,7 +51,8 @@ static void print_recording(FILE *out, const struct trace *trace, const char *na
     fputs("],\"steps\":[", out);
     for (int i = 0; i < trace->steps.count; i++) {
         const struct step *step = &trace->steps.items[i];
-        if (step->call == 0 && step->group == 0) {
+        const struct step_group *group = &trace->steps.groups[step->group];
+        if (group->call == 0 && group->number == 0) {
             fputs(separator, out);
             print_step(out, trace, step);
             separator = ",\n";

@@ -55,10 +55,7 @@ extern const char stage5_draw_segments_text[];
 /* The registers after an instruction. */
 struct state {
     ptrdiff_t at; /* of that instruction, from the routine's start */
-    uint64_t general[16];
-    union {
-        uint32_t words[4];
-    } vectors[16];
+    uint64_t registers[STEPS_REGISTERS][2]; /* of a general one only the first */
 };
 
 static struct steps *target;
@@ -81,15 +78,14 @@ static void on_trap(int number, siginfo_t *info, void *context)
         struct state *state = &states[state_count++];
         state->at = last_at;
         for (int i = 0; i < 16; i++) {
-            state->general[i] = (uint64_t)machine->gregs[general_order[i]];
+            state->registers[i][0] = (uint64_t)machine->gregs[general_order[i]];
         }
-        memcpy(state->vectors, machine->fpregs->_xmm, sizeof state->vectors);
+        memcpy(state->registers[16], machine->fpregs->_xmm, sizeof machine->fpregs->_xmm);
     }
     last_at = (ptrdiff_t)((uintptr_t)machine->gregs[REG_RIP] - (uintptr_t)stage5_draw_segments);
 }
 
 static struct step_line lines[LINES_MAX];
-static ptrdiff_t set_up_at, draw_at; /* the labels to which jumps lead: a group begins there */
 
 /* Of a store: the lanes' pixels go where r12 to r15 say, and come from ecx, eax, r10d, r9d. */
 static void find_store(struct step_line *line)
@@ -114,14 +110,6 @@ static void read_source(void)
         memcpy(lines[i].macro, macro, sizeof macro);
         find_store(&lines[i]);
     }
-    for (int i = 0; stage5_draw_segments_lines[i][1]; i++) {
-        const char *labelled = lines[stage5_draw_segments_lines[i][1]].text;
-        if (strncmp(labelled, "set_up:", 7) == 0) {
-            set_up_at = stage5_draw_segments_lines[i][0];
-        } else if (strncmp(labelled, "draw:", 5) == 0) {
-            draw_at = stage5_draw_segments_lines[i][0];
-        }
-    }
 }
 
 const struct step_line *steps_line(int line)
@@ -142,7 +130,6 @@ static void run_in_steps(const struct segment *segments, int count, const struct
 {
     struct sigaction trap = {.sa_flags = SA_SIGINFO}, before;
 
-    steps_line(1); /* finds the labels */
     trap.sa_sigaction = on_trap;
     sigemptyset(&trap.sa_mask);
     sigaction(SIGTRAP, &trap, &before);
@@ -167,79 +154,86 @@ static int line_at(ptrdiff_t at)
     return line;
 }
 
-/* The register that changed from one state to the next, the flags and rip aside. */
+/* The register that changed from one state to the next, rsp, the flags and rip aside. */
 static int changed(const struct state *before, const struct state *after)
 {
-    for (int i = 0; i < 16; i++) {
-        if (memcmp(&before->vectors[i], &after->vectors[i], sizeof after->vectors[i]) != 0) {
-            return 16 + i;
-        }
+    const int rsp = 4;
+    int i = STEPS_REGISTERS - 1;
+
+    while (i >= 0 && (i == rsp || memcmp(before->registers[i], after->registers[i],
+                                         sizeof after->registers[i]) == 0)) {
+        i--;
     }
-    for (int i = 0; i < 16; i++) {
-        if (i != 4 && before->general[i] != after->general[i]) { /* 4: rsp */
-            return i;
-        }
-    }
-    return -1;
+    return i;
 }
 
-static bool add_call(const struct segment *segments, int count)
+/* Goes on to the group that begins with this line of the source, if one does: those are the labels
+ * to which jumps lead. */
+static void begin_group(const char *line, const struct segment *segments)
 {
-    struct step_segment **calls =
-        realloc(target->calls, (size_t)(target->call_count + 1) * sizeof *calls);
-    struct step_segment *kept = malloc((size_t)count * sizeof *kept);
+    struct step_group group = target->groups[target->group_count - 1];
+    const bool drawing = strncmp(line, "draw:", 5) == 0;
 
-    target->calls = calls ? calls : target->calls;
-    if (!calls || !kept) {
-        free(kept);
-        return false;
+    if (drawing || strncmp(line, "set_up:", 7) == 0) {
+        group.number = drawing && !group.drawing ? 0 : group.number + 1;
+        group.drawing = drawing;
+        for (int i = 0; i < STEPS_LANES; i++) {
+            const struct segment *segment = &segments[STEPS_LANES * group.number + i];
+            group.segments[i] = (struct step_segment){segment->pixels, segment->count};
+        }
+        target->groups[target->group_count++] = group;
     }
-    for (int i = 0; i < count; i++) {
-        kept[i] = (struct step_segment){segments[i].pixels, segments[i].count};
-    }
-    calls[target->call_count++] = kept;
-    return true;
 }
 
-/* From the states of a call, its steps. */
-static bool add_steps(void)
+/* From the states of a call, its steps. There is room for them. */
+static void add_steps(const struct segment *segments)
 {
-    struct step *items =
-        realloc(target->items, (size_t)(target->count + state_count) * sizeof *items);
-    int group = -1, pixels[STEPS_LANES] = {0};
-    bool drawing = false;
+    int pixels[STEPS_LANES], group = -1;
 
-    if (!items) {
-        return false;
-    }
-    target->items = items;
     for (int i = 1; i < state_count; i++) {
-        struct step step = {.line = line_at(states[i].at), .call = target->call_count - 1,
-                            .lane = -1, .reg = changed(&states[i - 1], &states[i])};
+        struct step step = {.line = line_at(states[i].at),
+                            .reg = changed(&states[i - 1], &states[i])};
         if (step.line == 0) {
             continue; /* before the call, or after it */
         }
-        if (states[i].at == draw_at || states[i].at == set_up_at) {
-            group = states[i].at == draw_at && !drawing ? 0 : group + 1;
-            drawing = states[i].at == draw_at;
+        const struct step_line *line = steps_line(step.line);
+        begin_group(line->text, segments);
+        step.group = target->group_count - 1;
+        if (step.group != group) {
             memset(pixels, 0, sizeof pixels);
+            group = step.group;
         }
-        step.group = group;
-        step.segments =
-            group < 0 ? NULL : target->calls[target->call_count - 1] + STEPS_LANES * group;
-        step.drawing = drawing;
-        step.lane = steps_line(step.line)->lane;
+        step.lane = line->lane;
         if (step.lane >= 0) {
-            step.reg = steps_line(step.line)->reg;
+            step.reg = line->reg;
             step.pixel = pixels[step.lane]++;
         }
-        if (step.reg >= 16) {
-            memcpy(&step.value, &states[i].vectors[step.reg - 16], sizeof step.value);
-        } else if (step.reg >= 0) {
-            step.value.general = states[i].general[step.reg];
+        if (step.reg >= 0) {
+            memcpy(&step.value, states[i].registers[step.reg], sizeof step.value);
         }
         target->items[target->count++] = step;
     }
+}
+
+/* Adds the call that was just run. False when there is no memory. */
+static bool add_call(const struct segment *segments, int count)
+{
+    const int call =
+        target->group_count > 0 ? target->groups[target->group_count - 1].call + 1 : 0;
+    struct step *items =
+        realloc(target->items, (size_t)(target->count + state_count) * sizeof *items);
+    target->items = items ? items : target->items;
+    /* Each of the groups is set up, then drawn; and what comes before them. */
+    const int groups_most = target->group_count + 1 + 2 * count / STEPS_LANES;
+    struct step_group *groups =
+        realloc(target->groups, (size_t)groups_most * sizeof *groups);
+    target->groups = groups ? groups : target->groups;
+
+    if (!items || !groups) {
+        return false;
+    }
+    groups[target->group_count++] = (struct step_group){.call = call, .number = -1};
+    add_steps(segments);
     return true;
 }
 
@@ -256,7 +250,7 @@ void stage5_draw_segments_in_steps(const struct segment *segments, int count,
         return;
     }
     run_in_steps(segments, count, texture, g);
-    if (!add_call(segments, count) || !add_steps()) {
+    if (!add_call(segments, count)) {
         target->no_memory = true;
     }
 }
@@ -277,10 +271,7 @@ void steps_record(struct steps *steps, const uint32_t *first, const uint32_t *en
 
 void steps_destroy(struct steps *steps)
 {
-    for (int i = 0; i < steps->call_count; i++) {
-        free(steps->calls[i]);
-    }
-    free(steps->calls);
+    free(steps->groups);
     free(steps->items);
     *steps = (struct steps){0};
 }

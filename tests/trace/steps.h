@@ -16,13 +16,19 @@ struct step_segment {
     int count;
 };
 
-struct step {
-    int line;     /* of stage5_asm/span.S */
+/* Four segments that the routine sets up, or whose pixels it draws, side by side. What it does
+ * before the first is a group of its own, with no pixels. */
+struct step_group {
     int call;     /* of the routine, counted from 0 */
-    int group;    /* of four segments, counted from 0 in each call */
-    const struct step_segment *segments; /* of the group's lanes */
+    int number;   /* counted from 0 in each call; -1: before the first */
     bool drawing; /* its pixels; before that, where its segments start and how they step */
-    int reg;      /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
+    struct step_segment segments[STEPS_LANES];
+};
+
+struct step {
+    int line;        /* of stage5_asm/span.S */
+    int group;       /* index of steps.groups */
+    int reg;         /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
     int lane, pixel; /* a store into the frame: the lane's pixel, counted from 0; else lane is -1 */
     union {
         uint64_t general;
@@ -34,8 +40,8 @@ struct step {
 
 struct steps {
     struct step *items;
-    struct step_segment **calls; /* their segments */
-    int count, call_count;
+    struct step_group *groups;
+    int count, group_count;
     bool no_memory; /* some are missing */
 };
 

@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "common/clip.h"
-
-#define BORDER 1e-6 /* texels: on a border between two, either is right */
+#include "tests/exact/meter.h"
 
 bool trace_available(const struct stage *stage, const char *option, struct error *error)
 {
@@ -114,25 +113,35 @@ int trace_x(const struct trace *trace, const struct trace_event *pixel)
     return (int)(((const uint32_t *)pixel->address - trace->frame.pixels) % trace->frame.width);
 }
 
+double trace_value(const struct trace *trace, const struct trace_event *event, const char *name)
+{
+    const char *names = trace_names[trace->number][event->kind];
+
+    if (event->address && strcmp(name, "x") == 0) {
+        return trace_x(trace, event);
+    }
+    for (int i = 0; *names; i++) {
+        const size_t length = strcspn(names, " ");
+        if (length == strlen(name) && strncmp(names, name, length) == 0) {
+            return event->values[i];
+        }
+        names += length + strspn(names + length, " ");
+    }
+    return NAN;
+}
+
 /* Is texel the one that the exact coordinate c lies in, or, on its border, the other one? That must
  * be one of lo .. hi, those that the triangle's vertices reach. */
 static bool is_right(double c, double a, double b, double d, int size, int texel, int exact)
 {
     const double lo = floor(fmin(a, fmin(b, d)) + 0.5), hi = ceil(fmax(a, fmax(b, d)) - 0.5);
-    const double border = round(c + 0.5); /* between texels border - 1 and border */
+    const double last = fmin(floor(c + TEXEL_BORDER + 0.5), hi);
+    bool right = texel == exact;
 
-    if (texel == exact) {
-        return true;
+    for (double i = fmax(ceil(c - TEXEL_BORDER - 0.5), lo); i <= last; i++) {
+        right = right || ((int)i & (size - 1)) == texel;
     }
-    if (fabs(c + 0.5 - border) > BORDER) {
-        return false;
-    }
-    for (double either = border - 1; either <= border; either++) {
-        if (either >= lo && either <= hi && ((int)either & (size - 1)) == texel) {
-            return true;
-        }
-    }
-    return false;
+    return right;
 }
 
 /* The piece that covers the pixel, for the vertices as they are; NULL: none. */

@@ -50,8 +50,12 @@ bool trace_keep_row(struct trace *trace, int y, int *first, int *last);
  * is written. False when there is no memory. Other stages have no steps. */
 bool trace_steps(struct trace *trace);
 
-/* A pixel event's column, and texel. */
+/* The column of a pixel, or of a segment's first. */
 int trace_x(const struct trace *trace, const struct trace_event *pixel);
+
+/* An event's value of that name, one of trace_names[][], or "x": a pixel's column stands in its
+ * address. NAN where it has none. */
+double trace_value(const struct trace *trace, const struct trace_event *event, const char *name);
 
 /* False where the exact answer does not draw the pixel, which lies in row y. */
 bool trace_exact(const struct trace *trace, const struct trace_event *pixel, int y,

@@ -3,15 +3,59 @@
 #include <string.h>
 #include "tests/trace/trace.h"
 
+enum digits {
+    WHOLE,
+    DECIMALS, /* as many as fit */
+    SIGNIFICANT
+};
+
+/* The values that a line shows, in this order: what the table calls them, and how they stand in a
+ * row of pixels. Those without a label are in the CSV alone. */
+static const struct {
+    const char *name, *label;
+    int width;
+    enum digits digits;
+} columns[] = {
+    {"x", "x", 4, WHOLE},
+    {"short", NULL, 0, 0}, /* is it the triangle's long edge, 0, or a short one, 1? */
+    {"x_step", "step", 0, 0},
+    {"error", "error", 0, 0},
+    {"numerator", "numerator", 0, 0},
+    {"denominator", "denominator", 0, 0},
+    {"count", "count", 0, 0},
+    {"length", "length", 0, 0},
+    {"one_over_z", "1/z", 9, SIGNIFICANT},
+    {"u_over_z", "u/z", 9, SIGNIFICANT},
+    {"v_over_z", "v/z", 9, SIGNIFICANT},
+    {"one_over_z_dx", "d(1/z)/dx", 0, 0},
+    {"u_over_z_dx", "d(u/z)/dx", 0, 0},
+    {"v_over_z_dx", "d(v/z)/dx", 0, 0},
+    {"z", "z", 8, DECIMALS},
+    {"u", "u", 9, DECIMALS},
+    {"v", "v", 9, DECIMALS},
+    {"u_end", "u_end", 0, 0},
+    {"v_end", "v_end", 0, 0},
+    {"u_16_16", "U", 12, WHOLE},
+    {"v_16_16", "V", 12, WHOLE},
+    {"u_step_16_16", "U_step", 0, 0},
+    {"v_step_16_16", "V_step", 0, 0},
+    {"texel_u", "texel", 6, WHOLE},
+    {"texel_v", "", 5, WHOLE},
+};
+
+#define COLUMNS (sizeof columns / sizeof columns[0])
+#define EXACT_COLUMNS 5
+
 /* The events of one scanline. */
 struct row {
     int y;
     const struct trace_event *edges[2];   /* left, right: as they were last seen */
     const struct trace_event *span, *end; /* segments and pixels are between */
+    const struct trace_event *seen[2];    /* the long edge, the short one */
 };
 
 /* Goes on to the next row that is to be written. At first all of it is 0. */
-static bool next_row(const struct trace *trace, struct row *row, const struct trace_event *seen[2])
+static bool next_row(const struct trace *trace, struct row *row)
 {
     const struct trace_event *end = trace->events + trace->event_count;
     const struct trace_event *event = row->end ? row->end : trace->events;
@@ -19,11 +63,15 @@ static bool next_row(const struct trace *trace, struct row *row, const struct tr
     for (; event < end; event++) {
         const int first = (int)event->values[0];
         if (event->kind == TRACE_KIND_EDGE || event->kind == TRACE_KIND_EDGE_STEP) {
-            seen[first] = event;
+            row->seen[first] = event;
         } else if (event->kind == TRACE_KIND_SPAN &&
                    (trace->row == TRACE_ALL_ROWS || trace->row == first)) {
             const int left = (int)event->values[1];
-            *row = (struct row){first, {seen[left], seen[!left]}, event, event + 1};
+            row->y = first;
+            row->edges[0] = row->seen[left];
+            row->edges[1] = row->seen[!left];
+            row->span = event;
+            row->end = event + 1;
             while (row->end < end && row->end->kind >= TRACE_KIND_SEGMENT) {
                 row->end++;
             }
@@ -33,37 +81,8 @@ static bool next_row(const struct trace *trace, struct row *row, const struct tr
     return false;
 }
 
-static const char *record_name(const struct trace_event *event)
-{
-    return event->kind == TRACE_KIND_SPAN      ? "span"
-           : event->kind == TRACE_KIND_SEGMENT ? "segment"
-                                               : "pixel";
-}
-
-/* Names stand in a string, with a space between. To the next; its length, 0 where there is none. */
-static size_t next_name(const char **at)
-{
-    *at += strspn(*at, " ");
-    return strcspn(*at, " ");
-}
-
-/* Where a name stands among names; -1: nowhere. */
-static int index_of(const char *names, const char *name, size_t length)
-{
-    int i = 0;
-
-    for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        if (n == length && strncmp(names, name, n) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-static const char *names_of(const struct trace *trace, const struct trace_event *event)
-{
-    return trace_names[trace->number][event->kind];
-}
+static const char *const record_names[TRACE_KINDS] = {
+    [TRACE_KIND_SPAN] = "span", [TRACE_KIND_SEGMENT] = "segment", [TRACE_KIND_PIXEL] = "pixel"};
 
 /* As many digits as give the same number back: nine where a float is read as a float again; 17 for
  * a double, and for a whole number, whose digits all count. Nothing for NAN. */
@@ -77,47 +96,15 @@ static void write_number(FILE *file, double value)
     }
 }
 
-/* An event's value of that name; NAN where it has none. A pixel's x is in its address. */
-static double value_of(const struct trace *trace, const struct trace_event *event,
-                       const char *name, size_t length)
-{
-    const int i = index_of(names_of(trace, event), name, length);
-
-    return length == 1 && *name == 'x' && event->address ? trace_x(trace, event)
-           : i < 0 ? NAN : event->values[i];
-}
-
-/* The values by all the names that any stage has; with NULL the names. How many there are. */
-static int csv_values(FILE *file, const struct trace *trace, const struct trace_event *event)
-{
-    const char *const *all = trace_names[0];
-    int count = 0;
-
-    for (int i = 0; i < TRACE_STAGES * TRACE_KINDS; i++) {
-        const char *names = all[i];
-        for (size_t n; (n = next_name(&names)) > 0; names += n) {
-            int earlier = 0;
-            while (earlier < i && index_of(all[earlier], names, n) < 0) {
-                earlier++;
-            }
-            if (earlier == i && event) {
-                write_number(file, value_of(trace, event, names, n));
-            } else if (earlier == i) {
-                fprintf(file, ",%.*s", (int)n, names);
-            }
-            count += earlier == i;
-        }
-    }
-    return count;
-}
-
 static void csv_event(FILE *file, const struct trace *trace, const struct row *row,
                       const char *record, const struct trace_event *event)
 {
     struct trace_exact exact = {NAN, NAN, NAN, NAN, NAN, false};
 
     fprintf(file, "%s,%d,%d", record, event->line, row->y);
-    csv_values(file, trace, event);
+    for (size_t i = 0; i < COLUMNS; i++) {
+        write_number(file, trace_value(trace, event, columns[i].name));
+    }
     if (event->kind == TRACE_KIND_PIXEL) {
         trace_exact(trace, event, row->y, &exact);
     }
@@ -126,7 +113,7 @@ static void csv_event(FILE *file, const struct trace *trace, const struct row *r
     write_number(file, exact.v);
     write_number(file, exact.texel_u);
     write_number(file, exact.texel_v);
-    fputs(trace->steps.items ? ",,,,,,,,,\n" : "\n", file);
+    fputs(trace->steps.count ? ",,,,,,,,,\n" : "\n", file);
 }
 
 /* Behind the others where stage 5's assembly was stepped through. */
@@ -134,75 +121,39 @@ static void csv_event(FILE *file, const struct trace *trace, const struct row *r
 
 void trace_write_csv(FILE *file, const struct trace *trace)
 {
-    const struct trace_event *seen[2] = {NULL, NULL};
     struct row row = {0};
 
     fprintf(file, "# %s\nrecord,line,row", trace->stage->name);
-    const int columns = csv_values(file, trace, NULL) + 5;
+    for (size_t i = 0; i < COLUMNS; i++) {
+        fprintf(file, ",%s", columns[i].name);
+    }
     fputs(",exact_z,exact_u,exact_v,exact_texel_u,exact_texel_v", file);
-    fputs(trace->steps.items ? STEP_COLUMNS "\n" : "\n", file);
-    while (next_row(trace, &row, seen)) {
+    fputs(trace->steps.count ? STEP_COLUMNS "\n" : "\n", file);
+    while (next_row(trace, &row)) {
         csv_event(file, trace, &row, "left", row.edges[0]);
         csv_event(file, trace, &row, "right", row.edges[1]);
         for (const struct trace_event *event = row.span; event < row.end; event++) {
-            csv_event(file, trace, &row, record_name(event), event);
+            csv_event(file, trace, &row, record_names[event->kind], event);
         }
     }
-    trace_write_steps_csv(file, trace, columns);
-}
-
-/* What the table calls some of the names, and how wide they are in a row of pixels; with decimals,
- * as many digits as fit. */
-static const struct column {
-    const char *name, *label;
-    int width;
-    enum { WHOLE, DECIMALS, SIGNIFICANT } digits;
-} columns[] = {
-    {"one_over_z", "1/z", 9, SIGNIFICANT}, {"u_over_z", "u/z", 9, SIGNIFICANT},
-    {"v_over_z", "v/z", 9, SIGNIFICANT},   {"z", "z", 8, DECIMALS},
-    {"u", "u", 9, DECIMALS},               {"v", "v", 9, DECIMALS},
-    {"texel_u", "texel", 6, WHOLE},        {"texel_v", "", 5, WHOLE},
-    {"u_16_16", "U", 12, WHOLE},           {"v_16_16", "V", 12, WHOLE},
-    {"one_over_z_dx", "d(1/z)/dx", 0, 0},  {"u_over_z_dx", "d(u/z)/dx", 0, 0},
-    {"v_over_z_dx", "d(v/z)/dx", 0, 0},    {"x_step", "step", 0, 0},
-    {"u_step_16_16", "U_step", 0, 0},      {"v_step_16_16", "V_step", 0, 0}};
-
-#define COLUMNS (sizeof columns / sizeof columns[0])
-
-/* NULL where the table keeps the name. */
-static const struct column *column_of(const char *name, size_t length)
-{
-    for (size_t i = 0; i < COLUMNS; i++) {
-        if (strncmp(columns[i].name, name, length) == 0 && columns[i].name[length] == '\0') {
-            return &columns[i];
-        }
-    }
-    return NULL;
+    trace_write_steps_csv(file, trace, (int)COLUMNS + EXACT_COLUMNS);
 }
 
 #define LINE_MAX_LENGTH 80
 
-/* A name and a value for each that the stage has, over as many lines as they need; but not which
- * edge, or which row. */
+/* A label and a value for each that the stage has, over as many lines as they need. */
 static void print_event(FILE *file, const struct trace *trace, const char *record,
                         const struct trace_event *event)
 {
-    const char *names = names_of(trace, event);
-    const int known = event->kind == TRACE_KIND_SPAN ? 2 : event->kind != TRACE_KIND_SEGMENT;
     int at = fprintf(file, "  %-7s  line %d", record, event->line);
 
-    if (event->address) {
-        at += fprintf(file, "  x %d", trace_x(trace, event));
-    }
-    int i = 0;
-    for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        const struct column *column = column_of(names, n);
+    for (size_t i = 0; i < COLUMNS; i++) {
+        const double value = trace_value(trace, event, columns[i].name);
         char text[64];
-        if (i < known) {
+        if (isnan(value) || !columns[i].label) {
             continue;
         }
-        const int length = snprintf(text, sizeof text, "  %.*s %.8g", column ? 32 : (int)n,
-                                    column ? column->label : names, event->values[i]);
+        const int length = snprintf(text, sizeof text, "  %s %.8g", columns[i].label, value);
         if (at + length > LINE_MAX_LENGTH) {
             at = fprintf(file, "\n         ") - 1;
         }
@@ -212,17 +163,17 @@ static void print_event(FILE *file, const struct trace *trace, const char *recor
     fputs("\n", file);
 }
 
-static void print_cell(FILE *file, const struct column *column, double value)
+static void print_cell(FILE *file, int width, enum digits digits, double value)
 {
     const double size = fabs(value);
     const int decimals = size < 100 ? 4 : size < 10000 ? 2 : 1;
 
     if (isnan(value)) {
-        fprintf(file, "%*s", column->width, "-");
-    } else if (column->digits == SIGNIFICANT) {
-        fprintf(file, "%*.5g", column->width, value);
+        fprintf(file, "%*s", width, "-");
+    } else if (digits == SIGNIFICANT) {
+        fprintf(file, "%*.5g", width, value);
     } else {
-        fprintf(file, "%*.*f", column->width, column->digits == WHOLE ? 0 : decimals, value);
+        fprintf(file, "%*.*f", width, digits == WHOLE ? 0 : decimals, value);
     }
 }
 
@@ -234,12 +185,11 @@ static bool shows_exact_texel(const struct trace *trace)
 
 static void print_heads(FILE *file, const struct trace *trace, const struct trace_event *pixel)
 {
-    const char *names = names_of(trace, pixel);
-
-    fprintf(file, "%4s", "x");
-    for (size_t n; (n = next_name(&names)) > 0; names += n) {
-        const struct column *column = column_of(names, n);
-        fprintf(file, "%*s", column->width, column->label);
+    fprintf(file, "  pixels   line %d\n", pixel->line);
+    for (size_t i = 0; i < COLUMNS; i++) {
+        if (!isnan(trace_value(trace, pixel, columns[i].name))) {
+            fprintf(file, "%*s", columns[i].width, columns[i].label);
+        }
     }
     fputs(shows_exact_texel(trace) ? " exact\n" : "  exact u  exact v\n", file);
 }
@@ -248,21 +198,21 @@ static void print_heads(FILE *file, const struct trace *trace, const struct trac
 static void print_pixel(FILE *file, const struct trace *trace, const struct trace_event *pixel,
                         int y)
 {
-    const char *names = names_of(trace, pixel);
     struct trace_exact exact;
-    int i = 0;
 
-    trace_exact(trace, pixel, y, &exact);
-    fprintf(file, "%4d", trace_x(trace, pixel));
-    for (size_t n; (n = next_name(&names)) > 0; names += n, i++) {
-        print_cell(file, column_of(names, n), pixel->values[i]);
+    for (size_t i = 0; i < COLUMNS; i++) {
+        const double value = trace_value(trace, pixel, columns[i].name);
+        if (!isnan(value)) {
+            print_cell(file, columns[i].width, columns[i].digits, value);
+        }
     }
+    trace_exact(trace, pixel, y, &exact);
     if (shows_exact_texel(trace)) {
-        print_cell(file, column_of("texel_u", 7), exact.texel_u);
-        print_cell(file, column_of("texel_v", 7), exact.texel_v);
+        print_cell(file, 6, WHOLE, exact.texel_u);
+        print_cell(file, 5, WHOLE, exact.texel_v);
     } else {
-        print_cell(file, column_of("u", 1), exact.u);
-        print_cell(file, column_of("v", 1), exact.v);
+        print_cell(file, 9, DECIMALS, exact.u);
+        print_cell(file, 9, DECIMALS, exact.v);
     }
     fputs(exact.right ? "\n" : "*\n", file);
 }
@@ -277,13 +227,12 @@ static void print_row(FILE *file, const struct trace *trace, const struct row *r
     print_event(file, trace, "right", row->edges[1]);
     for (event = row->span; event < row->end; event++) {
         if (event->kind != TRACE_KIND_PIXEL) {
-            print_event(file, trace, record_name(event), event);
+            print_event(file, trace, record_names[event->kind], event);
         }
     }
     for (event = row->span; event < row->end; event++) {
         if (event->kind == TRACE_KIND_PIXEL) {
             if (!headed) {
-                fprintf(file, "  pixels   line %d\n", event->line);
                 print_heads(file, trace, event);
             }
             headed = true;
@@ -303,7 +252,6 @@ static void print_vertices(FILE *file, const char *name, const struct vertex v[3
 
 void trace_write_table(FILE *file, const struct trace *trace)
 {
-    const struct trace_event *seen[2] = {NULL, NULL};
     struct row row = {0};
     const bool cut = trace->pieces.count != 1 ||
                      memcmp(trace->given.v, trace->pieces.items[0].v, sizeof trace->given.v) != 0;
@@ -323,10 +271,10 @@ void trace_write_table(FILE *file, const struct trace *trace)
               ? "\nIt draws nothing: no area, or between two scanlines.\n"
               : "\n* is not the exact answer's texel, nor on its border, for the vertices as "
                 "clipped.\n", file);
-    while (next_row(trace, &row, seen)) {
+    while (next_row(trace, &row)) {
         print_row(file, trace, &row);
     }
-    if (trace->steps.items) {
+    if (trace->steps.count) {
         trace_write_steps_table(file, trace);
     }
 }

@@ -6,7 +6,7 @@
 /* How a general register, or the 128 bits of a vector register, are to be read. */
 enum format {
     INTEGER, ADDRESS, TEXEL, /* of a general register */
-    DOUBLES, FLOATS, FLOATS_16_16, INTEGERS, FIXED_16_16, FIXED_U, MASK
+    DOUBLES, FLOATS, FLOATS_16_16, INTEGERS, FIXED_16_16, FIXED_U
 };
 
 struct meaning {
@@ -14,89 +14,85 @@ struct meaning {
     enum format format;
 };
 
-#define VECTORS 16
-
-/* What span.S keeps in xmm0 to xmm15 while it sets a group up: in a macro, or else anywhere. */
+/* What span.S keeps in a vector register: the first row that fits. A place is a macro, or else the
+ * part, `set_up` or `draw`; a mnemonic says what an instruction leaves there for a while. */
 static const struct {
-    const char *macro, *names[VECTORS];
-} setting_up[] = {
-    {"interpolants", {"u/z at start", "v/z at start", "u/z at end", "v/z at end", "1/z at start",
-                      "1/z at end", [8] = "end 2 and 3", [9] = "start 2 and 3"}},
-    {"texel_at", {[4] = "1/z at start", [5] = "1/z at end", [6] = "z at start", [7] = "z at end"}},
-    {"line_setup", {[2] = "step of u", [3] = "step of v", [6] = "v falls"}},
-    {"", {"u at start", "v at start", "u at end", "v at end", "u falls", [10] = "length",
-          [11] = "length"}}};
-
-#define SETTING_UP (sizeof setting_up / sizeof setting_up[0])
-
-static const char *const drawing[VECTORS] = {"u + 1/2",   "v + 1/2",     "step of u",
-                                             "step of v", "texel index", "v row"};
-
-/* What is not yet, or no more, what the tables above say. */
-static const struct {
-    const char *macro, *mnemonic;
+    const char *place, *mnemonic;
     int vector;
     const char *name;
-} between[] = {
-    {"", "movsd", 10, "length 0 and 1"},     {"", "movhpd", 10, "length 0 and 1"},
-    {"", "cvtpd2ps", 10, "length 0 and 1"},  {"", "movsd", 11, "length 2 and 3"},
-    {"", "movhpd", 11, "length 2 and 3"},    {"", "cvtpd2ps", 11, "length 2 and 3"},
-    {"", "movaps", 11, "1"},                 {"", "divps", 11, "1 / length"},
-    {"line_setup", "subps", 2, "du"},        {"line_setup", "subps", 3, "dv"},
-    {"line_setup", "movaps", 5, "65536 du"}, {"line_setup", "movaps", 7, "65536 dv"},
-    {"line_setup", "andps", 5, "sign of du"}, {"line_setup", "andps", 7, "sign of dv"},
-    {"line_setup", "orps", 5, "1/2 as du"},  {"line_setup", "orps", 7, "1/2 as dv"},
-    {"fetch", "movdqa", 4, "bits of u"},     {"fetch", "movdqa", 5, "bits of v"},
-    {"fetch", "psrld", 4, "texel of u"},     {"fetch", "psrld", 5, "in between"},
-    {"fetch", "punpckhqdq", 4, "index 2 and 3"}, {"", "pslld", 2, "step of u"},
-    {"line_setup", "paddd", 0, "u + 1/2"},   {"line_setup", "paddd", 1, "v + 1/2"},
-    {"", "pslld", 0, "u + 1/2"}};
+} names[] = {
+    {"set_up", "movsd ", 10, "length 0 and 1"},    {"set_up", "movhpd ", 10, "length 0 and 1"},
+    {"set_up", "cvtpd2ps ", 10, "length 0 and 1"}, {"set_up", "movsd ", 11, "length 2 and 3"},
+    {"set_up", "movhpd ", 11, "length 2 and 3"},   {"set_up", "cvtpd2ps ", 11, "length 2 and 3"},
+    {"set_up", "movaps ", 11, "1"},                {"set_up", "divps ", 11, "1 / length"},
+    {"set_up", "pslld ", 2, "step of u"},          {"set_up", "pslld ", 0, "u + 1/2"},
+    {"interpolants", "", 0, "u/z at start"},       {"interpolants", "", 1, "v/z at start"},
+    {"interpolants", "", 2, "u/z at end"},         {"interpolants", "", 3, "v/z at end"},
+    {"interpolants", "", 4, "1/z at start"},       {"interpolants", "", 5, "1/z at end"},
+    {"interpolants", "", 8, "end 2 and 3"},        {"interpolants", "", 9, "start 2 and 3"},
+    {"texel_at", "", 4, "1/z at start"},           {"texel_at", "", 5, "1/z at end"},
+    {"texel_at", "", 6, "z at start"},             {"texel_at", "", 7, "z at end"},
+    {"line_setup", "subps ", 2, "du"},             {"line_setup", "subps ", 3, "dv"},
+    {"line_setup", "movaps ", 5, "65536 du"},      {"line_setup", "movaps ", 7, "65536 dv"},
+    {"line_setup", "andps ", 5, "sign of du"},     {"line_setup", "andps ", 7, "sign of dv"},
+    {"line_setup", "orps ", 5, "1/2 as du"},       {"line_setup", "orps ", 7, "1/2 as dv"},
+    {"line_setup", "paddd ", 0, "u + 1/2"},        {"line_setup", "paddd ", 1, "v + 1/2"},
+    {"line_setup", "", 2, "step of u"},            {"line_setup", "", 3, "step of v"},
+    {"line_setup", "", 6, "v falls"},
+    {"fetch", "movdqa ", 4, "bits of u"},          {"fetch", "movdqa ", 5, "bits of v"},
+    {"fetch", "psrld ", 4, "texel of u"},          {"fetch", "psrld ", 5, "in between"},
+    {"fetch", "punpckhqdq ", 4, "index 2 and 3"},
+    {"set_up", "", 0, "u at start"},               {"set_up", "", 1, "v at start"},
+    {"set_up", "", 2, "u at end"},                 {"set_up", "", 3, "v at end"},
+    {"set_up", "", 4, "u falls"},                  {"set_up", "", 10, "length"},
+    {"set_up", "", 11, "length"},
+    {"draw", "", 0, "u + 1/2"},                    {"draw", "", 1, "v + 1/2"},
+    {"draw", "", 2, "step of u"},                  {"draw", "", 3, "step of v"},
+    {"draw", "", 4, "texel index"},                {"draw", "", 5, "v row"},
+};
 
-static const char *vector_name(const struct step *step, const char *macro, const char *code)
+static const struct step_group *group_of(const struct trace *trace, const struct step *step)
 {
-    const char *name = step->drawing ? drawing[step->reg - 16] : NULL;
+    return &trace->steps.groups[step->group];
+}
 
-    for (size_t i = 0; i < sizeof between / sizeof between[0]; i++) {
-        const size_t length = strlen(between[i].mnemonic);
-        if (between[i].vector == step->reg - 16 && strcmp(between[i].macro, macro) == 0 &&
-            strncmp(code, between[i].mnemonic, length) == 0 && code[length] == ' ') {
-            return between[i].name;
+/* Of the routine: what it does before its groups, or for one. */
+static const char *part_of(const struct step_group *group)
+{
+    return group->number < 0 ? "entry" : group->drawing ? "draw" : "set_up";
+}
+
+static const char *vector_name(int vector, const char *part, const char *macro, const char *code)
+{
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (names[i].vector == vector &&
+            (strcmp(names[i].place, macro) == 0 || strcmp(names[i].place, part) == 0) &&
+            strncmp(code, names[i].mnemonic, strlen(names[i].mnemonic)) == 0) {
+            return names[i].name;
         }
     }
-    for (size_t i = 0; !step->drawing && !name && i < SETTING_UP; i++) {
-        if (strcmp(setting_up[i].macro, macro) == 0 || !*setting_up[i].macro) {
-            name = setting_up[i].names[step->reg - 16];
-        }
-    }
-    return name ? name : "";
+    return "";
 }
 
 /* The mnemonic says what lies in a vector register: ps is four floats, pd two doubles, the rest
  * integers. u, v and their steps are 16.16 then, and before that floats 65536 times as large. */
-static enum format vector_format(const struct step *step, const char *macro, const char *mnemonic)
+static enum format vector_format(int vector, const char *part, const char *macro, const char *code)
 {
-    const size_t length = strcspn(mnemonic, " ");
-    const char *end = mnemonic + length - 2;
+    const char *end = code + strcspn(code, " ") - 2;
+    /* u and its step: shifted up, so that the texture's width in texels would be 2^32. */
+    const bool shifted = strcmp(part, "draw") == 0 || strncmp(code, "pslld ", 6) == 0;
 
-    if (strncmp(mnemonic, "cmp", 3) == 0) {
-        return MASK;
-    }
     if (strncmp(end, "ps", 2) == 0 || strncmp(end, "ss", 2) == 0) {
-        const bool texels = step->reg < 20 && strcmp(macro, "line_setup") == 0;
+        const bool texels = vector < 4 && strcmp(macro, "line_setup") == 0;
         return texels || strcmp(macro, "texel_at") == 0 ? FLOATS_16_16 : FLOATS;
     }
     if (strncmp(end, "pd", 2) == 0 || strncmp(end, "sd", 2) == 0) {
         return DOUBLES;
     }
-    if (step->reg >= 20) {
-        return INTEGERS;
-    }
-    /* u and its step: shifted up, so that the texture's width in texels would be 2^32. */
-    const bool is_u = step->reg == 16 || step->reg == 18;
-    return is_u && (step->drawing || strncmp(mnemonic, "pslld", 5) == 0) ? FIXED_U : FIXED_16_16;
+    return vector >= 4 ? INTEGERS : vector % 2 == 0 && shifted ? FIXED_U : FIXED_16_16;
 }
 
-static struct meaning meaning_of(const struct step *step)
+static struct meaning meaning_of(const struct trace *trace, const struct step *step)
 {
     static const struct meaning general[16] = {
         [1] = {"lane 0's texel", TEXEL},    [0] = {"lane 1's texel", TEXEL},
@@ -104,16 +100,19 @@ static struct meaning meaning_of(const struct step *step)
         [12] = {"lane 0 goes to", ADDRESS}, [13] = {"lane 1 goes to", ADDRESS},
         [14] = {"lane 2 goes to", ADDRESS}, [15] = {"lane 3 goes to", ADDRESS}};
     const struct step_line *line = steps_line(step->line);
+    const struct step_group *group = group_of(trace, step);
+    const char *part = part_of(group);
     const char *code = line->text[0] == ' ' ? line->text : strchr(line->text, ':') + 1;
 
     code += strspn(code, " "); /* behind a label */
     if (step->reg >= 16) {
-        const enum format format = vector_format(step, line->macro, code);
-        return (struct meaning){vector_name(step, line->macro, code), format};
+        const int vector = step->reg - 16;
+        return (struct meaning){vector_name(vector, part, line->macro, code),
+                                vector_format(vector, part, line->macro, code)};
     }
     const bool texel = step->lane >= 0 || /* stored, or just read */
                        (strncmp(code, "mov ", 4) == 0 && strstr(code, "[r8 + "));
-    return general[step->reg].name && (step->reg >= 12 ? step->drawing : texel)
+    return general[step->reg].name && (step->reg >= 12 ? group->drawing : texel)
                ? general[step->reg]
                : (struct meaning){"", INTEGER};
 }
@@ -151,7 +150,6 @@ static void lane_text(const struct trace *trace, const struct step *step, enum f
     case INTEGERS: snprintf(text, 32, "%d", integer); break;
     case FIXED_16_16: snprintf(text, 32, "%.5f", integer / 65536.0); break;
     case FIXED_U: snprintf(text, 32, "%.5f", steps * width / 4294967296.0); break;
-    case MASK: snprintf(text, 32, "%s", integer ? "yes" : "no"); break;
     case TEXEL: snprintf(text, 32, "(%d %d)", texel % width, texel / width); break;
     case INTEGER: snprintf(text, 32, "%lld", (long long)step->value.general); break;
     case ADDRESS:
@@ -166,7 +164,7 @@ static void lane_text(const struct trace *trace, const struct step *step, enum f
 /* Where a store goes; false where it goes to the dummy buffer. */
 static bool store_target(const struct trace *trace, const struct step *step, int *x, int *y)
 {
-    const struct step_segment *segment = &step->segments[step->lane];
+    const struct step_segment *segment = &group_of(trace, step)->segments[step->lane];
     return step->pixel < segment->count &&
            pixel_at(trace, segment->pixels + step->pixel, x, y);
 }
@@ -176,7 +174,7 @@ struct step_text trace_step_text(const struct trace *trace, const struct step *s
     struct step_text text = {.reg = "", .meaning = ""};
 
     if (step->reg >= 0) {
-        const struct meaning found = meaning_of(step);
+        const struct meaning found = meaning_of(trace, step);
         text.reg = register_names[step->reg];
         text.meaning = found.name;
         text.count = found.format < DOUBLES ? 1 : found.format == DOUBLES ? 2 : STEPS_LANES;
@@ -191,6 +189,7 @@ void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
 {
     for (int i = 0; i < trace->steps.count; i++) {
         const struct step *step = &trace->steps.items[i];
+        const struct step_group *group = group_of(trace, step);
         const struct step_text text = trace_step_text(trace, step);
         int x, y;
 
@@ -203,8 +202,8 @@ void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
         for (int k = 0; k < columns; k++) {
             fputs(",", file);
         }
-        fprintf(file, "%d,%d,%s,%s,%s", step->call, step->group,
-                step->drawing ? "draw" : "set_up", text.reg, text.meaning);
+        fprintf(file, "%d,%d,%s,%s,%s", group->call, group->number, part_of(group), text.reg,
+                text.meaning);
         for (int k = 0; k < STEPS_LANES; k++) {
             fprintf(file, ",%s", text.lanes[k]);
         }
@@ -212,12 +211,12 @@ void trace_write_steps_csv(FILE *file, const struct trace *trace, int columns)
     }
 }
 
-static bool is_in_row(const struct trace *trace, const struct step *step)
+static bool is_in_row(const struct trace *trace, const struct step_group *group)
 {
     int x, y;
 
-    for (int i = 0; i < STEPS_LANES && step->group >= 0; i++) {
-        const struct step_segment *segment = &step->segments[i];
+    for (int i = 0; i < STEPS_LANES; i++) {
+        const struct step_segment *segment = &group->segments[i];
         if (segment->count > 0 && pixel_at(trace, segment->pixels, &x, &y) &&
             (trace->row == TRACE_ALL_ROWS || trace->row == y)) {
             return true;
@@ -227,13 +226,13 @@ static bool is_in_row(const struct trace *trace, const struct step *step)
 }
 
 /* Which pixels each lane holds. */
-static void print_group(FILE *file, const struct trace *trace, const struct step *step)
+static void print_group(FILE *file, const struct trace *trace, const struct step_group *group)
 {
-    fprintf(file, "\ncall %d, segments %d to %d: %s\n  pixels              ", step->call,
-            STEPS_LANES * step->group, STEPS_LANES * step->group + 3,
-            step->drawing ? "their pixels" : "where they start, and how they step");
+    fprintf(file, "\ncall %d, segments %d to %d: %s\n  pixels              ", group->call,
+            STEPS_LANES * group->number, STEPS_LANES * group->number + 3,
+            group->drawing ? "their pixels" : "where they start, and how they step");
     for (int i = 0; i < STEPS_LANES; i++) {
-        const struct step_segment *segment = &step->segments[i];
+        const struct step_segment *segment = &group->segments[i];
         char text[32] = "none";
         int x, y;
         if (segment->count > 0) {
@@ -287,20 +286,19 @@ static void print_stores(FILE *file, const struct trace *trace, const struct ste
 void trace_write_steps_table(FILE *file, const struct trace *trace)
 {
     const struct step *end = trace->steps.items + trace->steps.count;
-    const struct step *group = NULL;
+    const struct step_group *group = NULL;
     int turns = 0; /* of the loop over a group's pixels */
 
     fputs("\nspan.S: each instruction (line, macro), and what it changed in a register, by lane\n",
           file);
     for (const struct step *step = trace->steps.items; step < end; step++) {
-        if (!is_in_row(trace, step)) {
+        if (!is_in_row(trace, group_of(trace, step))) {
             continue;
         }
-        if (!group || group->call != step->call || group->group != step->group ||
-            group->drawing != step->drawing) {
-            group = step;
+        if (group != group_of(trace, step)) {
+            group = group_of(trace, step);
             turns = 0;
-            print_group(file, trace, step);
+            print_group(file, trace, group);
         }
         if (step->lane == 0) {
             print_stores(file, trace, &step, end);

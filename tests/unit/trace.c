@@ -52,29 +52,14 @@ static bool is_inside(double exact, double texel)
     return fabs(exact - texel) <= 0.5 + 1e-9;
 }
 
-/* The value of that name: each stage has its own order. */
-static double value(const struct trace *trace, const struct trace_event *event, const char *name)
-{
-    const char *names = trace_names[trace->number][event->kind];
-
-    for (int i = 0; *names; i++) {
-        const size_t length = strcspn(names, " ");
-        if (length == strlen(name) && strncmp(names, name, length) == 0) {
-            return event->values[i];
-        }
-        names += length + strspn(names + length, " ");
-    }
-    return NAN;
-}
-
 /* What is wrong with one pixel: its texel is that of the frame, the exact one that of the exact
  * frame; and it is right where they are the same, as none of these lies on a border. */
 static int pixel_wrong(const struct trace *trace, const struct trace_event *pixel, int y,
                        const struct image *frame, const struct image *exact_frame)
 {
     const int x = trace_x(trace, pixel);
-    const int texel_u = (int)value(trace, pixel, "texel_u");
-    const int texel = texel_u << 8 | (int)value(trace, pixel, "texel_v");
+    const int texel_u = (int)trace_value(trace, pixel, "texel_u");
+    const int texel = texel_u << 8 | (int)trace_value(trace, pixel, "texel_v");
     struct trace_exact exact;
 
     if (!trace_exact(trace, pixel, y, &exact)) {
@@ -96,13 +81,13 @@ static bool edge_right(const struct trace *trace, const struct trace_event *edge
     const int64_t x0 = (int64_t)(16 * a->x), y0 = (int64_t)(16 * a->y);
     const int64_t dx = (int64_t)(16 * b->x) - x0, dy = (int64_t)(16 * b->y) - y0;
     const int64_t n = x0 * dy + (16 * y - y0) * dx, d = 16 * dy, x = ceil_div(n, d);
-    const double error = value(trace, edge, "error"), edge_x = value(trace, edge, "x");
+    const double error = trace_value(trace, edge, "error"), edge_x = trace_value(trace, edge, "x");
 
     if (isnan(error)) { /* stage 1: its vertices are not rounded */
         const double step = ((double)b->x - a->x) / ((double)b->y - a->y);
         return fabs(edge_x - (a->x + (y - a->y) * step)) < POSITION_TOLERANCE;
     }
-    const double denominator = value(trace, edge, "denominator");
+    const double denominator = trace_value(trace, edge, "denominator");
     const double scale = denominator / (double)d; /* stage 2 counts in whole pixels */
     return edge_x == (double)x && error >= 0 && error < denominator &&
            fabs(error + 1 - scale * (double)(n + d - x * d)) < 1e-6;
@@ -129,8 +114,8 @@ static bool edges_right(const struct trace *trace, const struct trace_event *con
 /* u at pixel p of a span: (u/z) / (1/z). */
 static double u_at(const struct trace *trace, const struct trace_event *span, double p)
 {
-    return (value(trace, span, "u_over_z") + p * value(trace, span, "u_over_z_dx")) /
-           (value(trace, span, "one_over_z") + p * value(trace, span, "one_over_z_dx"));
+    return (trace_value(trace, span, "u_over_z") + p * trace_value(trace, span, "u_over_z_dx")) /
+           (trace_value(trace, span, "one_over_z") + p * trace_value(trace, span, "one_over_z_dx"));
 }
 
 /* Does the segment that begins at pixel p of a span of n end where it must, with the true u at both
@@ -140,11 +125,11 @@ static bool segment_right(const struct trace *trace, const struct trace_event *s
 {
     const double end = p == n - 1 ? p + 1 : fmin(p + SEGMENT_LENGTH, n - 1);
 
-    return value(trace, segment, "length") == end - p &&
-           value(trace, segment, "count") == fmin(SEGMENT_LENGTH, n - p) &&
-           fabs(value(trace, segment, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE &&
+    return trace_value(trace, segment, "length") == end - p &&
+           trace_value(trace, segment, "count") == fmin(SEGMENT_LENGTH, n - p) &&
+           fabs(trace_value(trace, segment, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE &&
            (p == n - 1 ||
-            fabs(value(trace, segment, "u_end") - u_at(trace, span, end)) < TEXEL_TOLERANCE);
+            fabs(trace_value(trace, segment, "u_end") - u_at(trace, span, end)) < TEXEL_TOLERANCE);
 }
 
 /* Is pixel p of a span where its divide, or its segment's line, puts it? */
@@ -152,14 +137,16 @@ static bool place_right(const struct trace *trace, const struct trace_event *spa
                         const struct trace_event *segment, const struct trace_event *pixel, int p)
 {
     if (!segment) {
-        return fabs(value(trace, pixel, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE;
+        return fabs(trace_value(trace, pixel, "u") - u_at(trace, span, p)) < TEXEL_TOLERANCE;
     }
     const int k = trace_x(trace, pixel) - trace_x(trace, segment);
+    const double u = trace_value(trace, segment, "u_16_16");
+    const double v = trace_value(trace, segment, "v_16_16");
     return k >= 0 && k < SEGMENT_LENGTH &&
-           value(trace, pixel, "u_16_16") ==
-               value(trace, segment, "u_16_16") + k * value(trace, segment, "u_step_16_16") &&
-           value(trace, pixel, "v_16_16") ==
-               value(trace, segment, "v_16_16") + k * value(trace, segment, "v_step_16_16");
+           trace_value(trace, pixel, "u_16_16") ==
+               u + k * trace_value(trace, segment, "u_step_16_16") &&
+           trace_value(trace, pixel, "v_16_16") ==
+               v + k * trace_value(trace, segment, "v_step_16_16");
 }
 
 struct wrong {
@@ -173,9 +160,9 @@ static int row_wrong(const struct trace *trace, const struct trace_event *span,
                      const struct image *exact_frame, struct wrong *wrong)
 {
     const struct trace_event *end = trace->events + trace->event_count, *segment = NULL;
-    const int y = (int)value(trace, span, "y");
-    const int first = (int)ceil(value(trace, edges[0], "x"));
-    const int n = (int)fmax(ceil(value(trace, edges[1], "x")) - first, 0);
+    const int y = (int)trace_value(trace, span, "y");
+    const int first = (int)ceil(trace_value(trace, edges[0], "x"));
+    const int n = (int)fmax(ceil(trace_value(trace, edges[1], "x")) - first, 0);
     const struct trace_event *event = span + 1;
     int p = 0;
 
@@ -206,9 +193,9 @@ static struct wrong trace_wrong(const struct trace *trace, const struct image *f
     for (int i = 0; i < trace->event_count; i++) {
         const struct trace_event *event = &trace->events[i];
         if (event->kind == TRACE_KIND_EDGE || event->kind == TRACE_KIND_EDGE_STEP) {
-            seen[(int)value(trace, event, "short")] = event;
+            seen[(int)trace_value(trace, event, "short")] = event;
         } else if (event->kind == TRACE_KIND_SPAN) {
-            const int left = (int)value(trace, event, "left_short");
+            const int left = (int)trace_value(trace, event, "left_short");
             const struct trace_event *const edges[2] = {seen[left], seen[!left]};
             i += row_wrong(trace, event, edges, frame, exact_frame, &wrong) - 1;
         }

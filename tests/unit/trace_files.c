@@ -57,7 +57,7 @@ static void check_csv(const struct trace *trace, const struct csv *csv)
 {
     const size_t lines = 3 * count_events(trace, TRACE_KIND_SPAN) +
                          count_events(trace, TRACE_KIND_SEGMENT) +
-                         count_events(trace, TRACE_KIND_PIXEL);
+                         count_events(trace, TRACE_KIND_PIXEL) + (size_t)trace->steps.count;
     size_t pixels = 0, wrong = 0;
     const struct trace_event *event = trace->events, *end = event + trace->event_count;
 
@@ -67,11 +67,10 @@ static void check_csv(const struct trace *trace, const struct csv *csv)
             for (; event < end && event->kind != TRACE_KIND_PIXEL; event++) {
             }
             trace_exact(trace, event, (int)number(csv, row, "row"), &exact);
-            const int z = trace->number < 3 ? 3 : -1; /* its place among the values */
             wrong += !same(number(csv, row, "x"), trace_x(trace, event)) ||
                      !same(number(csv, row, "line"), event->line) ||
-                     !same(number(csv, row, "z"), z < 0 ? NAN : event->values[z]) ||
-                     !same(number(csv, row, "texel_v"), event->values[z < 0 ? 5 : 7]) ||
+                     !same(number(csv, row, "z"), trace_value(trace, event, "z")) ||
+                     !same(number(csv, row, "texel_v"), trace_value(trace, event, "texel_v")) ||
                      !same(number(csv, row, "exact_u"), exact.u);
             event++;
             pixels++;
@@ -83,6 +82,26 @@ static void check_csv(const struct trace *trace, const struct csv *csv)
           pixels, wrong);
 }
 
+/* Stage 5: each pixel of the frame is where one step's row and column say. */
+static void check_stores(const struct trace *trace, const struct csv *csv)
+{
+    const struct image *frame = &trace->frame;
+    int wrong = 0, drawn = 0;
+
+    for (size_t row = 0; row < csv->row_count; row++) {
+        if (strcmp(csv_text(csv, row, 0), "step") == 0 && !isnan(number(csv, row, "row"))) {
+            const int y = (int)number(csv, row, "row"), x = (int)number(csv, row, "x");
+            wrong += frame->pixels[y * frame->stride + x] == 0;
+            drawn--;
+        }
+    }
+    for (int i = 0; i < frame->height * frame->stride; i++) {
+        drawn += frame->pixels[i] != 0;
+    }
+    check(wrong == 0 && drawn == 0, "a store's row and x in the CSV are its pixel's",
+          "%d are not, %d too few", wrong, drawn);
+}
+
 static void test_writers(const struct stage *stage, struct random *random,
                          const struct image *texture)
 {
@@ -92,13 +111,17 @@ static void test_writers(const struct stage *stage, struct random *random,
     struct csv csv;
 
     test_trace_triangle(random, &triangle);
-    if (!check(trace_triangle(stage, &triangle, texture, 80, 48, &trace), "memory", "none")) {
-        return;
+    if (!check(trace_triangle(stage, &triangle, texture, 80, 48, &trace) && trace_steps(&trace),
+               "memory", "none")) {
+        exit(2);
     }
     char *text = written(&trace);
     if (check(text && csv_parse(stage->name, text, &csv, &error), "the CSV is one", "%s",
               error.text)) {
         check_csv(&trace, &csv);
+        if (trace.steps.count > 0) {
+            check_stores(&trace, &csv);
+        }
         csv_destroy(&csv);
     }
     free(text);
@@ -113,7 +136,7 @@ void test_trace_files(void)
     if (!check(texture_create(&texture, TEXTURE_COORD), "memory for a texture", "none")) {
         return;
     }
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; stages[i].traced; i++) {
         test_writers(&stages[i], &random, &texture);
     }
     image_destroy(&texture);
