@@ -229,7 +229,7 @@ sanitize:
 torture: $(BUILD)/torture
 	$(BUILD)/torture 10000000
 
-#: make fuzz          libFuzzer on both readers and on all stages, a minute each (FUZZ_SECONDS=60)
+#: make fuzz          libFuzzer on the readers and on all stages, a minute each (FUZZ_SECONDS=60)
 FUZZ_SECONDS = 60
 FUZZERS = $(patsubst tests/long/fuzz_%.c,%,$(wildcard tests/long/fuzz_*.c))
 
@@ -245,7 +245,7 @@ fuzz:
 		mkdir -p $(BUILD)/fuzz/corpus/$$target && \
 		$(BUILD)/fuzz/fuzz_$$target -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
 			-artifact_prefix=$(BUILD)/fuzz/ $(BUILD)/fuzz/corpus/$$target \
-			tests/long/corpus/$$target $$([ $$target != tri ] || echo tests/cases) || exit 1; \
+			tests/long/corpus/$$target $$([ $$target != files ] || echo tests/cases) || exit 1; \
 	done
 
 # Can clang build this program with these flags?

@@ -17,22 +17,9 @@ build=$1
 compile=$(cat "$build/flags")
 lessons=tests/lessons/exercises
 
-stage_of() {
-    case $1 in
-    1_*) echo stage1_float ;;
-    2_*) echo stage2_dda ;;
-    3_*) echo stage3_fixed28_4 ;;
-    4_*) echo stage4_subdivide ;;
-    5_*) echo stage5_asm ;;
-    esac
-}
-
-# The files of the stage $1 that a reader may change.
+# The files of the stage of exercise $1 that a reader may change.
 files_of() {
-    case $1 in
-    stage5_asm) echo rasterize.c span.S ;;
-    *) echo rasterize.c ;;
-    esac
+    ls stage"${1%_*}"_*/rasterize.c stage"${1%_*}"_*/span.S 2> /dev/null
 }
 
 # Applies the sed script $1 to the file that it names, in the folder $2. It must change something.
@@ -48,11 +35,7 @@ edit() {
 
 # Puts the starting point of the exercise $1 into the folder $2.
 start() {
-    stage=$(stage_of "$1")
-    mkdir -p "$2" || return 1
-    for file in $(files_of "$stage"); do
-        cp "$stage/$file" "$2/$file" || return 1
-    done
+    mkdir -p "$2" && cp $(files_of "$1") "$2" || return 1
     [ ! -f "$lessons/$1/start.sed" ] || edit "$lessons/$1/start.sed" "$2"
 }
 
@@ -60,15 +43,15 @@ start() {
 # so that the stage itself can be measured beside them.
 compile() {
     number=${1%_*}
-    built=$2/mine.o
+    built=
     $compile -DEXERCISE_STAGE="\"$number\"" -c -o "$2/mine.o" tests/lessons/mine.c || return 1
-    for file in $(files_of "$(stage_of "$1")"); do
+    for file in $(files_of "$1"); do
+        file=$2/$(basename "$file")
         $compile -Dstage${number}_draw_triangle=mine_draw_triangle \
-            -Dstage${number}_draw_segments=mine_draw_segments \
-            -c -o "$2/${file%.*}.o" "$2/$file" || return 1
-        built="$built $2/${file%.*}.o"
+            -Dstage${number}_draw_segments=mine_draw_segments -c -o "$file.o" "$file" || return 1
+        built="$built $file.o"
     done
-    $compile -o "$2/judge" $built $objects -lm
+    $compile -o "$2/judge" "$2/mine.o" $built $objects -lm
 }
 
 judge() {
@@ -137,12 +120,12 @@ folder=$build/exercise/$exercise
 [ -d "$folder" ] || start "$exercise" "$folder" || exit 2
 cat "$lessons/$exercise/task.txt"
 echo
-echo "Your copy: $(for file in $(files_of "$(stage_of "$exercise")"); do
-    printf '%s/%s ' "$folder" "$file"; done)(make clean, or deleting it, starts anew)"
+echo "Your copy (make clean, or deleting it, starts anew):"
+ls "$folder"/*.[cS]
 echo
 compile "$exercise" "$folder" &&
-    $compile -o "$folder/texmap" $built "$build/tests/program/texmap_main.o" "$build/texmap.a" \
-        -lm || exit 2
+    $compile -o "$folder/texmap" "$folder/mine.o" $built "$build/tests/program/texmap_main.o" \
+        "$build/texmap.a" -lm || exit 2
 echo "$folder/texmap draws it: --stage mine"
 echo
 if judge "$exercise" "$folder"; then

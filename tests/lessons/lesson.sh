@@ -8,16 +8,14 @@ build=$1
 number=$2
 
 case $number in
-2) before=stage1_float after=stage2_dda ;;
-3) before=stage2_dda after=stage3_fixed28_4 ;;
-4) before=stage3_fixed28_4 after=stage4_subdivide ;;
-5) before=stage4_subdivide after=stage5_asm ;;
+[2-5]) ;;
 *)
     echo "lesson: N=$number: not a lesson; make lesson N=2 (to 5) shows what that stage changes" >&2
     exit 2
     ;;
 esac
-
+before=$(echo stage$((number - 1))_*)
+after=$(echo stage"$number"_*)
 texmap=$build/texmap
 out=$build/out
 size=1024x768 # as in the lesson

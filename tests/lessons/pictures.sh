@@ -5,30 +5,28 @@
 
 texmap=$1
 mode=$2
+build=$(dirname "$texmap")
 size=256x192 # a PNG file stays below 100 KB
 status=0
+
+# keep MADE FILE: puts the file that was made in its place; with --check, is it there already?
+keep() {
+    if [ "$mode" != --check ]; then
+        mv "$1" "$2" || exit 2
+    elif cmp -s "$1" "$2"; then
+        echo "ok $2 is what texmap draws"
+    else
+        echo "FAIL $2 is what texmap draws: it is not; make pictures"
+        status=1
+    fi
+}
 
 # picture FILE COMMAND...: what texmap draws with the command, in a frame of $size.
 picture() {
     file=$1
     shift
-    made=$file
-    [ "$mode" != --check ] || made=$(dirname "$texmap")/picture.png
-    "$texmap" "$@" --size $size -o "$made" > /dev/null || exit 2
-    compare
-}
-
-# With --check: is what was made there already?
-compare() {
-    if [ "$mode" = --check ]; then
-        if cmp -s "$made" "$file"; then
-            echo "ok $file is what texmap draws"
-        else
-            echo "FAIL $file is what texmap draws: it is not; make pictures"
-            status=1
-        fi
-        rm "$made"
-    fi
+    "$texmap" "$@" --size $size -o "$build/picture.png" > /dev/null || exit 2
+    keep "$build/picture.png" "$file"
 }
 
 for stage in 1 2 3 4 coda; do # one place, as every stage sees it, and where it errs
@@ -45,20 +43,15 @@ size=640x480 # where bands can be seen
 picture stage4_subdivide/bands.png diff --stages 4,exact --scene room --frame 40
 size=256x192
 
-file=stage4_subdivide/chord.svg
-made=$file
-[ "$mode" != --check ] || made=$(dirname "$texmap")/picture.svg
 "$texmap" trace --stage 4 --triangles tests/lessons/segment.tri --row 0 \
-    --csv "$(dirname "$texmap")/segment.csv" || exit 2
-awk -f tests/lessons/chord.awk "$(dirname "$texmap")/segment.csv" > "$made" || exit 2
-compare
-
+    --csv "$build/segment.csv" || exit 2
+awk -f tests/lessons/chord.awk "$build/segment.csv" > "$build/chord.svg" || exit 2
+keep "$build/chord.svg" stage4_subdivide/chord.svg
 
 # The pixels that the coda draws again: they are black here, and so differ.
 if "$texmap" help 2>&1 | grep -q 'left out'; then
     echo 'SKIP stage5_asm/doubts.png is what texmap draws: the coda does not run here'
 else
-    build=$(dirname "$texmap")
     sed 's/\*pixel = .*/*pixel = 0xFF000000;/' stage5_asm/coda.c > "$build/doubts.c" &&
         $(cat "$build/flags") -w -o "$build/doubts" "$build/doubts.c" \
             "$build/tests/program/texmap_main.o" "$build/texmap.a" -lm || exit 2

@@ -18,9 +18,17 @@ segments='stage3_fixed28_4 segment_4 segment_8 stage4_subdivide segment_32 segme
 # On standard error stands what this machine leaves out, which is not the README's business.
 texmap() { "$TEXMAP_BUILD/texmap" "$@" 2> /dev/null; }
 
-# measured PROGRAM [ARGUMENT...]: awk, whose columns are found by name. cell() is a number as text,
-# a dash where there is none; its column may be `speed`, against stage 1. fill() is a template such
-# as 'speed (ns_per_pixel_min)' with numbers in place of columns' names.
+# csv: awk that finds columns by name. below() is a number, or that it is less than its step.
+csv='
+    BEGIN { FS = "," }
+    function below(value, step, form) {
+        return value < step ? "&lt; 1/" int(1 / step + .5) : sprintf(form, value)
+    }
+    /^#/ { next }
+    !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }'
+
+# measured PROGRAM [ARGUMENT...]: awk that knows the results, value[stage, scene, column]. cell() is
+# one as text, a dash where there is none; its column may be `speed`, against stage 1.
 measured() {
     program=$1
     shift
@@ -29,73 +37,52 @@ measured() {
             n = value[after, scene, "ns_per_pixel_min"]
             return n > 0 ? value[before, scene, "ns_per_pixel_min"] / n : ""
         }
-        function cell(stage, scene, column,    n, step) {
+        function cell(stage, scene, column,    n) {
             n = value[stage, scene, column]
             if (column == "speed") n = ratio("stage1_float", stage, scene)
-            step = value[stage, scene, "ruler_step"]
             if (n == "") return "-"
-            if (column ~ /^position/ && n < step) return "&lt; 1/" int(1 / step + .5)
-            return sprintf(column ~ /^position/ ? "%.4f" : "%.2f", n)
+            return column ~ /^position/ ? below(n, value[stage, scene, "ruler_step"], "%.4f") \
+                : sprintf("%.2f", n)
         }
-        function fill(stage, scene, template,    text, word) {
-            while (match(template, /[a-z_]+/)) {
-                word = substr(template, RSTART, RLENGTH)
-                text = text substr(template, 1, RSTART - 1) \
-                    (word == "speed" || word in at ? cell(stage, scene, word) : word)
-                template = substr(template, RSTART + RLENGTH)
-            }
-            return text template
+        function heading(first) {
+            printf "| %s | room | wall | floor | mesh |\n|", first
+            gsub(/[^|]+/, "---", first)
+            print first "|---:|---:|---:|---:|"
         }
-        function heading(first,    i, bars) {
-            bars = first
-            gsub(/[^|]+/, "---", bars)
-            printf "| %s |", first
-            for (i = 1; i in scene; i++) printf " %s |", scene[i]
-            printf "\n|%s|", bars
-            for (i = 1; i in scene; i++) printf "---:|"
-            print ""
-        }
-        function title(column) { return column in titles ? titles[column] : column }
         BEGIN {
-            FS = ","
-            titles["ns_per_pixel_min"] = "ns per pixel"
-            titles["wrong_texel_pct"] = "wrong texels, %"
-            titles["position_rms"] = "position error, RMS texels"
             split("room wall floor mesh", scene, " ")
             for (i = 1; i < ARGC - 1; i++) { argument[i] = ARGV[i]; ARGV[i] = "" }
         }
-        /^#/ { machine = machine (machine ? "; " : "") substr($0, 3); next }
-        !names { names = $0; for (i = 1; i <= NF; i++) { name[i] = $i; at[$i] = i }; next }
-        { for (i = 1; i <= NF; i++) value[$at["stage"], $at["scene"], name[i]] = $i }
+        /^#/ { machine = machine (machine ? "; " : "") substr($0, 3) }
+        '"$csv"'
+        { for (name in at) value[$at["stage"], $at["scene"], name] = $at[name] }
         END { '"$program"' }' "$@" $results
 }
 
-# table STAGES TEMPLATE: a row a stage, a column a scene.
+# table STAGES COLUMN COLUMN: a row a stage, for each scene both columns, the second in brackets.
 table() {
     measured 'heading("stage")
         split(argument[1], stage, " ")
         for (row = 1; row in stage; row++) {
             printf "| %s |", stage[row]
-            for (i = 1; i in scene; i++) printf " %s |", fill(stage[row], scene[i], argument[2])
+            for (i = 1; i in scene; i++) printf " %s (%s) |", \
+                cell(stage[row], scene[i], argument[2]), cell(stage[row], scene[i], argument[3])
             print ""
         }' "$@"
 }
 
-# compare A B COLUMN...: a row a scene, each column for both stages, then how many times as fast B
-# is as A.
+# compare A B: a row a scene, speed and accuracy of both stages, then how many times as fast B is.
 compare() {
-    measured 'printf "| scene |"
-        for (k = 3; k in argument; k++)
-            printf " %s, %s | %s |", title(argument[k]), argument[1], argument[2]
-        printf " times as fast |\n|---|---:|"
-        for (k = 3; k in argument; k++) printf "---:|---:|"
+    echo "| scene | ns per pixel, $1 | $2 | wrong texels, %, $1 | $2 |" \
+        "position error, RMS texels, $1 | $2 | times as fast |"
+    echo '|---|---:|---:|---:|---:|---:|---:|---:|'
+    measured 'count = split("ns_per_pixel_min wrong_texel_pct position_rms", column, " ")
         for (i = 1; i in scene; i++) {
-            printf "\n| %s |", scene[i]
-            for (k = 3; k in argument; k++) printf " %s | %s |", \
-                cell(argument[1], scene[i], argument[k]), cell(argument[2], scene[i], argument[k])
-            printf " %.2f |", ratio(argument[1], argument[2], scene[i])
-        }
-        print ""' "$@"
+            printf "| %s |", scene[i]
+            for (k = 1; k <= count; k++) printf " %s | %s |", \
+                cell(argument[1], scene[i], column[k]), cell(argument[2], scene[i], column[k])
+            printf " %.2f |\n", ratio(argument[1], argument[2], scene[i])
+        }' "$@"
 }
 
 # steps PURPOSE...: what each step from a stage to the next was for, and how many times as fast it
@@ -116,27 +103,32 @@ machine() {
         value["stage1_float", "wall", "width"], value["stage1_float", "wall", "height"]'
 }
 
+# changes: what stage 3 is with one of its changes undone at a time.
+changes() {
+    echo '| stage 3, but | jitter | wrong texels, % | drift | outside | times as fast |'
+    echo '|---|---:|---:|---:|---:|---:|'
+    awk "$csv"'{
+        printf "| %s | %.3f | %.2f | %s | %d | %.2f |\n", $at["but"], $at["jitter_rms"],
+            $at["wall_wrong_texel_pct"], below($at["drift_max"], $at["drift_step"], "%.2f"),
+            $at["borders_outside"], $at["wall_speed"]
+    }' tests/results/steps.csv
+}
+
 # views: one place as every stage sees it, where it errs, and by how much.
 views() {
     texmap accuracy --stage all --scene room --frame 40 --size 256x192 \
         --csv "$TEXMAP_BUILD/views.csv" > "$TEXMAP_BUILD/views.txt"
-    awk -F, '
-        /^#/ { next }
-        !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+    awk "$csv"'
         $1 == "stage5_asm" { next } # frames of stage 4
         {
             file = $1
-            sub(/^stage/, "", file)
-            sub(/_.*/, "", file)
+            gsub(/^stage|_.*/, "", file)
             title = title " " ($1 ~ /^stage4/ ? $1 ", stage5_asm" : $1) " |"
             bars = bars "---|"
             seen = seen " ![" $1 "](tests/results/view_" file ".png) |"
             errs = errs " ![" $1 ", its errors](tests/results/view_" file "_error.png) |"
             wrong = wrong sprintf(" %.1f %% |", $at["wrong_texel_pct"])
-            step = $at["ruler_step"]
-            rms = $at["position_rms"]
-            if (rms < step) off = off sprintf(" &lt; 1/%d |", 1 / step + .5)
-            else off = off sprintf(" %.1f |", rms)
+            off = off " " below($at["position_rms"], $at["ruler_step"], "%.1f") " |"
         }
         END {
             print "| |" title "\n|---|" bars "\n| picture |" seen "\n| its errors |" errs
@@ -144,31 +136,17 @@ views() {
         }' "$TEXMAP_BUILD/views.csv"
 }
 
-# cases STAGES NAME...: those of tests/cases/, a row each, and what was measured of the stages. In
-# bold what fails.
+# cases STAGES NAME...: of the table of cases those rows, and the columns of those stages.
 cases() {
-    awk -F, -v stages="$1" -v names="$*" '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        {
-            bold = $at["verdict"] == "holds" ? "" : "**"
-            value = $at["value"]
-            cell[$at["case"], $at["stage"]] = value ~ /^-?[0-9.]/ ? \
-                bold sprintf(value < 1000 ? "%.3g" : "%d", value) bold : "-"
-            what[$at["case"]] = $at["measured"] ", " $at["unit"]
+    shown="case measured $1"
+    shift
+    sh tests/cases/table.sh "$@" | sed 's,(tests/,(../tests/,' | awk -F '|' -v shown="$shown" '
+        BEGIN { count = split(shown, column, " ") }
+        NR == 1 {
+            for (i = 2; i < NF; i++)
+                for (k = 1; k <= count; k++) if ($i == " " column[k] " ") at[k] = i
         }
-        END {
-            count = split(stages, stage, " ")
-            printf "| case | measured |"
-            for (i = 1; i <= count; i++) printf " %s |", stage[i]
-            printf "\n|---|---|"
-            for (i = 1; i <= count; i++) printf "---:|"
-            last = split(names, name, " ")
-            for (k = count + 1; k <= last; k++) {
-                printf "\n| [%s](../tests/cases/%s.tri) | %s |", name[k], name[k], what[name[k]]
-                for (i = 1; i <= count; i++) printf " %s |", cell[name[k], stage[i]]
-            }
-            print ""
-        }' tests/results/stability.csv
+        { printf "|"; for (k = 1; k <= count; k++) printf "%s|", $at[k]; print "" }'
 }
 
 # function STAGE NAME: that function's code, without the comment above it and what only traces.
@@ -184,12 +162,9 @@ function() {
 # lines A B: how much of stage A's source stage B changes. hunks A B PATTERN: those of the
 # differences in which the pattern stands.
 lines() {
-    diff "$1/rasterize.c" "$2/rasterize.c" | awk -v a="$1" -v b="$2" '
-        /^</ { go++ }
-        /^>/ { come++ }
-        END {
-            printf "`diff %s/rasterize.c %s/rasterize.c`: %d lines go, %d come.\n", a, b, go, come
-        }'
+    diff "$1/rasterize.c" "$2/rasterize.c" > "$TEXMAP_BUILD/lines.diff"
+    printf '`diff %s/rasterize.c %s/rasterize.c`: %d lines go, %d come.\n' "$1" "$2" \
+        "$(grep -c '^<' "$TEXMAP_BUILD/lines.diff")" "$(grep -c '^>' "$TEXMAP_BUILD/lines.diff")"
 }
 hunks() {
     echo '```diff'

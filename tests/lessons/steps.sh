@@ -1,7 +1,6 @@
 #!/bin/sh
 # tests/lessons/steps.sh BUILD: stage 3 with one of its changes undone at a time, each measured:
 # what is lost without it, and what it costs. Writes tests/results/steps.csv. `make steps` calls it.
-# tests/lessons/steps.sh --table: that file as Markdown, for lesson 3.
 #
 # tests/lessons/steps/*.sed undo a change each in stage3_fixed28_4/rasterize.c; the first line says
 # what. What they leave is measured as `--stage mine`, and its speed beside stage 3's by
@@ -9,25 +8,6 @@
 
 results=tests/results/steps.csv
 stage=stage3_fixed28_4
-
-if [ "$1" = --table ]; then
-    awk -F, '
-        function below(value, step) {
-            return value < step ? "&lt; 1/" int(1 / step + .5) : sprintf("%.2f", value)
-        }
-        /^#/ { next }
-        !names { names = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
-        !rows++ {
-            print "| stage 3, but | jitter | wrong texels, % | drift | outside | times as fast |" \
-                "\n|---|---:|---:|---:|---:|---:|"
-        }
-        {
-            printf "| %s | %.3f | %.2f | %s | %d | %.2f |\n", $at["but"], $at["jitter_rms"],
-                $at["wall_wrong_texel_pct"], below($at["drift_max"], $at["drift_step"]),
-                $at["borders_outside"], $at["wall_speed"]
-        }' $results
-    exit
-fi
 
 build=$1
 compile=$(cat "$build/flags")

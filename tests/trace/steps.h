@@ -28,7 +28,7 @@ struct step_group {
 struct step {
     int line;        /* of stage5_asm/span.S */
     int group;       /* index of steps.groups */
-    int reg;         /* that it changed, or, as a store, read; -1: none, as in a compare or a jump */
+    int reg;         /* that it changed, or, as a store, read; -1: none, as in a jump */
     int lane, pixel; /* a store into the frame: the lane's pixel, counted from 0; else lane is -1 */
     union {
         uint64_t general;

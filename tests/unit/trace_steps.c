@@ -21,7 +21,7 @@ static int stored(const struct trace *trace, int texels[WIDTH * HEIGHT])
         if (step->lane < 0) {
             continue;
         }
-        const struct step_segment *segment = 
+        const struct step_segment *segment =
             &trace->steps.groups[step->group].segments[step->lane];
         if (step->pixel < segment->count) {
             int *texel = &texels[segment->pixels + step->pixel - trace->frame.pixels];

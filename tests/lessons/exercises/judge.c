@@ -10,7 +10,7 @@
 #include "tests/judge/judge.h"
 #include "tests/program/source.h"
 
-#define CHECKS_MAX 6
+#define CHECKS_MAX 5
 #define CASES 3000
 #define TURNED_SIDE 64
 #define ROUNDS 31
@@ -24,58 +24,32 @@ struct subject {
     const struct stage *stage;
 };
 
-/* Writes to `text` what it found; true where that will do. `source`: a scene or a .tri file. */
-typedef bool check_function(const struct subject *subject, const char *source, double most,
-                            char text[TEXT]);
-
-static bool open_source(struct source *source, const char *name)
+static void require(bool done, const char *why)
 {
-    const bool file = strchr(name, '/') != NULL;
-    struct options options = {.size = {640, 480}};
-    struct error error;
-
-    options.triangles = file ? name : NULL;
-    options.scene = file ? NULL : name;
-    if (!source_open(source, &options, &error)) {
-        fprintf(stderr, "judge: %s\n", error.text);
+    if (!done) {
+        fprintf(stderr, "judge: %s\n", why);
         exit(2);
     }
-    return true;
 }
 
-/* How many of the cases that `make` makes are drawn as promised; the first that is not. */
-static bool all_right(const struct stage *stage, void (*make)(struct judge_case *one, uint64_t i),
-                      const char *turned, char text[TEXT])
+/* How many of the cases of `make` are not drawn as promised, per cent; `text`: the first. */
+static double wrong_cases(const struct stage *stage,
+                          void (*make)(struct judge_case *one, uint64_t i), char text[TEXT])
 {
-    char first[JUDGE_TEXT] = "";
     struct judge judge;
-    int right = 0;
+    int wrong = 0;
 
-    if (!judge_create(&judge)) {
-        exit(2);
-    }
+    require(judge_create(&judge), "no memory");
     for (int i = 0; i < CASES; i++) {
         char what[JUDGE_TEXT] = "";
         struct judge_case one;
         make(&one, (uint64_t)i);
-        const bool holds = judge_case(&judge, stage, &one, what);
-        right += holds;
-        if (!holds && !first[0]) {
-            memcpy(first, what, sizeof first);
+        if (!judge_case(&judge, stage, &one, what) && wrong++ == 0) {
+            snprintf(text, TEXT, "; the first:\n%s", what);
         }
     }
     judge_destroy(&judge);
-    snprintf(text, TEXT, "%d of %d right%s%s%s%s", right, CASES,
-             first[0] ? "; the first that is not" : "", first[0] ? turned : "",
-             first[0] ? ":\n" : "", first);
-    return right == CASES;
-}
-
-static bool random_cases(const struct subject *subject, const char *source, double most,
-                         char text[TEXT])
-{
-    (void)source, (void)most;
-    return all_right(&subject->own, case_make, "", text);
+    return 100.0 * wrong / CASES;
 }
 
 /* Draws the triangle turned by half a turn, and turns what was drawn back: the one fill rule
@@ -121,107 +95,47 @@ static void make_turned(struct judge_case *one, uint64_t i)
     }
 }
 
-static bool other_rule(const struct subject *subject, const char *source, double most,
-                       char text[TEXT])
+/* The first wrong one is shown as it was drawn: turned. */
+static double turned_cases(const struct subject *subject, char text[TEXT])
 {
     struct stage turned = subject->own;
 
-    (void)source, (void)most;
     turned_draw = turned.draw;
     turned.draw = draw_turned;
     turned.promises = COVERAGE;
-    return all_right(&turned, make_turned, ", turned by half a turn", text);
+    return wrong_cases(&turned, make_turned, text);
 }
 
-static struct accuracy accuracy_of(const struct subject *subject, const char *name)
+static struct accuracy accuracy_of(const struct subject *subject, const struct source *source)
 {
     struct accuracy accuracy;
-    struct source source;
     struct meter meter;
 
-    if (!open_source(&source, name) ||
-        !meter_create(&meter, source.size.width, source.size.height) ||
-        !accuracy_frame(&meter, &source.triangles, &subject->own, &accuracy)) {
-        fprintf(stderr, "judge: no memory\n");
-        exit(2);
-    }
+    require(meter_create(&meter, source->size.width, source->size.height) &&
+                accuracy_frame(&meter, &source->triangles, &subject->own, &accuracy),
+            "no memory");
     meter_destroy(&meter);
-    source_close(&source);
     return accuracy;
 }
 
-static bool wrong_texels(const struct subject *subject, const char *source, double most,
-                         char text[TEXT])
+/* Of the frames' pixels, how many differ, per cent; `text`: the first. */
+static double other_pixels(const struct subject *subject, const struct source *source,
+                           struct image frames[2], char text[TEXT])
 {
-    const double value = accuracy_of(subject, source).wrong_texel_pct;
+    const struct image *coord = &source->textures[TEXTURE_COORD];
+    const int width = source->size.width, pixels = width * source->size.height;
+    int differing = 0;
 
-    snprintf(text, TEXT, "%.4g %% of texels wrong, at most %g", value, most);
-    return value <= most;
-}
-
-static bool position_rms(const struct subject *subject, const char *source, double most,
-                         char text[TEXT])
-{
-    const double value = accuracy_of(subject, source).position_rms;
-
-    snprintf(text, TEXT, "position error %.4g texel RMS, at most %g", value, most);
-    return value <= most;
-}
-
-static bool position_max(const struct subject *subject, const char *source, double most,
-                         char text[TEXT])
-{
-    const double value = accuracy_of(subject, source).position_max;
-
-    snprintf(text, TEXT, "position error up to %.4g texel, at most %g", value, most);
-    return value <= most;
-}
-
-/* A frame for each of the two. */
-static void open_pair(struct source *source, struct image frames[2], const char *name)
-{
-    if (!open_source(source, name) ||
-        !image_create(&frames[0], source->size.width, source->size.height) ||
-        !image_create(&frames[1], source->size.width, source->size.height)) {
-        fprintf(stderr, "judge: no memory\n");
-        exit(2);
-    }
-}
-
-static void close_pair(struct source *source, struct image frames[2])
-{
-    image_destroy(&frames[0]);
-    image_destroy(&frames[1]);
-    source_close(source);
-}
-
-static bool same_frame(const struct subject *subject, const char *name, double most,
-                       char text[TEXT])
-{
-    struct source source;
-    struct image frames[2];
-    int differing = 0, first = 0;
-
-    open_pair(&source, frames, name);
-    const struct image *coord = &source.textures[TEXTURE_COORD];
-    const int width = source.size.width, pixels = width * source.size.height;
-    source_draw(&source, subject->own.draw, coord, &frames[0]);
-    source_draw(&source, subject->stage->draw, coord, &frames[1]);
-    for (int i = pixels - 1; i >= 0; i--) {
-        if (frames[0].pixels[i] != frames[1].pixels[i]) {
-            differing++;
-            first = i;
+    source_draw(source, subject->own.draw, coord, &frames[0]);
+    source_draw(source, subject->stage->draw, coord, &frames[1]);
+    for (int i = 0; i < pixels; i++) {
+        const uint32_t got = frames[0].pixels[i], expected = frames[1].pixels[i];
+        if (got != expected && differing++ == 0) {
+            snprintf(text, TEXT, "; the first at %d,%d: expected %06x, got %06x", i % width,
+                     i / width, (unsigned)expected & 0xFFFFFF, (unsigned)got & 0xFFFFFF);
         }
     }
-    const double share = 100.0 * differing / pixels;
-    int length = snprintf(text, TEXT, "%.4g %% of pixels not the stage's, at most %g", share, most);
-    if (share > most) {
-        snprintf(text + length, (size_t)(TEXT - length), "; the first at %d,%d: expected %06x, got "
-                 "%06x", first % width, first / width, (unsigned)frames[1].pixels[first] & 0xFFFFFF,
-                 (unsigned)frames[0].pixels[first] & 0xFFFFFF);
-    }
-    close_pair(&source, frames);
-    return share <= most;
+    return 100.0 * differing / pixels;
 }
 
 static int compare(const void *a, const void *b)
@@ -232,76 +146,83 @@ static int compare(const void *a, const void *b)
 }
 
 /* In turns: whatever else the machine does hits both, and the median leaves out what hit one. */
-static bool time_taken(const struct subject *subject, const char *name, double most,
-                       char text[TEXT])
+static double time_taken(const struct subject *subject, const struct source *source,
+                         struct image frames[2], double most)
 {
-    double ratios[ROUNDS], value = INFINITY;
-    struct source source;
-    struct image frames[2];
+    double ratios[ROUNDS], least = INFINITY;
 
-    open_pair(&source, frames, name);
-    for (int i = 0; i < TIME_TRIES && value > most; i++) {
+    for (int i = 0; i < TIME_TRIES && least > most; i++) {
         for (int k = 0; k < ROUNDS; k++) {
             const double start = bench_clock();
-            source_draw(&source, subject->own.draw, NULL, &frames[0]);
+            source_draw(source, subject->own.draw, NULL, &frames[0]);
             const double middle = bench_clock();
-            source_draw(&source, subject->stage->draw, NULL, &frames[1]);
+            source_draw(source, subject->stage->draw, NULL, &frames[1]);
             ratios[k] = (middle - start) / (bench_clock() - middle);
         }
         qsort(ratios, ROUNDS, sizeof *ratios, compare);
-        value = ratios[ROUNDS / 2];
+        least = fmin(least, ratios[ROUNDS / 2]);
     }
-    close_pair(&source, frames);
-    snprintf(text, TEXT, "%.3g times the stage's time, at most %g", value, most);
-    return value <= most;
+    return least;
 }
 
+/* What is measured must be at most so much. Cases have no source: they are random triangles. */
+struct check {
+    const char *source;
+    enum measure {
+        NOTHING,
+        RANDOM_CASES,
+        TURNED_CASES,
+        WRONG_TEXELS,
+        RMS_ERROR,
+        LARGEST_ERROR,
+        OTHER_PIXELS,
+        TIME
+    } measure;
+    double most;
+};
+
+static const char *const units[] = {
+    [RANDOM_CASES] = "% of cases wrong",
+    [TURNED_CASES] = "% of cases wrong, turned by half a turn",
+    [WRONG_TEXELS] = "% of texels wrong",
+    [RMS_ERROR] = "texel of position error, RMS",
+    [LARGEST_ERROR] = "texel of position error",
+    [OTHER_PIXELS] = "% of pixels not the stage's",
+    [TIME] = "times the stage's time",
+};
+
+#define RANDOM {NULL, RANDOM_CASES, 0}
 #define DRIFT "tests/cases/drift_4096.tri"
 #define FACING "tests/lessons/exercises/4_2/facing.tri"
 #define SAME_PROMISES (~0u)
 
 static const struct exercise {
-    const char *name, *digit;
+    const char *name; /* the stage's digit first */
     int grid; /* positions a pixel that its vertices are rounded to; 0: none */
     bool truncates;
     unsigned promises; /* or SAME_PROMISES: the stage's */
-    struct check {
-        const char *what;
-        check_function *holds;
-        const char *source;
-        double most;
-    } checks[CHECKS_MAX];
+    struct check checks[CHECKS_MAX];
 } exercises[] = {
-    {"1_1", "1", 0, true, SAME_PROMISES,
-     {{"the bottom-right rule", other_rule, NULL, 0}, {"mesh", time_taken, "mesh", 1.4}}},
-    {"1_2", "1", 0, true, SAME_PROMISES,
-     {{"random triangles", random_cases, NULL, 0}, {"4096 pixels", position_max, DRIFT, 0.01},
-      {"wall", time_taken, "wall", 2}}},
-    {"2_1", "2", 1, false, COVERAGE,
-     {{"random triangles", random_cases, NULL, 0}, {"wall", wrong_texels, "wall", 15},
-      {"wall", time_taken, "wall", 2.5}}},
-    {"2_2", "2", 1, true, SAME_PROMISES,
-     {{"random triangles", random_cases, NULL, 0}, {"floor", same_frame, "floor", 0},
-      {"mesh", same_frame, "mesh", 0}, {"mesh", time_taken, "mesh", 1.5}}},
-    {"3_1", "3", 4096, false, COVERAGE | OWN_RANGE | TEXELS,
-     {{"random triangles", random_cases, NULL, 0}, {"wall", position_rms, "wall", 0.001},
-      {"mesh", time_taken, "mesh", 1.6}}},
-    {"3_2", "3", 16, false, COVERAGE | OWN_RANGE,
-     {{"random triangles", random_cases, NULL, 0}, {"floor", wrong_texels, "floor", 0.05},
-      {"mesh", wrong_texels, "mesh", 0.2}, {"mesh", time_taken, "mesh", 1.5}}},
-    {"4_1", "4", 16, false, COVERAGE,
-     {{"random triangles", random_cases, NULL, 0}, {"wall", position_rms, "wall", 0.004},
-      {"floor", position_rms, "floor", 0.1}, {"wall", time_taken, "wall", 1.8}}},
-    {"4_2", "4", 16, false, COVERAGE | OWN_RANGE,
-     {{"random triangles", random_cases, NULL, 0}, {"wall", position_rms, "wall", 0.2},
-      {"facing wall", wrong_texels, FACING, 0.5}, {"facing wall", time_taken, FACING, 0.9},
-      {"wall", time_taken, "wall", 1.4}}},
-    {"5_1", "5", 16, false, COVERAGE | OWN_RANGE,
-     {{"random triangles", random_cases, NULL, 0}, {"wall", same_frame, "wall", 0.05},
-      {"floor", same_frame, "floor", 0.05}, {"wall", time_taken, "wall", 1.4}}},
-    {"5_2", "5", 16, false, SAME_PROMISES,
-     {{"random triangles", random_cases, NULL, 0}, {"floor", same_frame, "floor", 0},
-      {"mesh", same_frame, "mesh", 0}, {"mesh", time_taken, "mesh", 1.4}}},
+    {"1_1", 0, true, SAME_PROMISES, {{NULL, TURNED_CASES, 0}, {"mesh", TIME, 1.4}}},
+    {"1_2", 0, true, SAME_PROMISES,
+     {RANDOM, {DRIFT, LARGEST_ERROR, 0.01}, {"wall", TIME, 2}}},
+    {"2_1", 1, false, COVERAGE,
+     {RANDOM, {"wall", WRONG_TEXELS, 15}, {"wall", TIME, 2.5}}},
+    {"2_2", 1, true, SAME_PROMISES,
+     {RANDOM, {"floor", OTHER_PIXELS, 0}, {"mesh", OTHER_PIXELS, 0}, {"mesh", TIME, 1.5}}},
+    {"3_1", 4096, false, COVERAGE | OWN_RANGE | TEXELS,
+     {RANDOM, {"wall", RMS_ERROR, 0.001}, {"mesh", TIME, 1.6}}},
+    {"3_2", 16, false, COVERAGE | OWN_RANGE,
+     {RANDOM, {"floor", WRONG_TEXELS, 0.05}, {"mesh", WRONG_TEXELS, 0.2}, {"mesh", TIME, 1.5}}},
+    {"4_1", 16, false, COVERAGE,
+     {RANDOM, {"wall", RMS_ERROR, 0.004}, {"floor", RMS_ERROR, 0.1}, {"wall", TIME, 1.8}}},
+    {"4_2", 16, false, COVERAGE | OWN_RANGE,
+     {RANDOM, {"wall", RMS_ERROR, 0.2}, {FACING, WRONG_TEXELS, 0.5},
+      {FACING, TIME, 0.9}, {"wall", TIME, 1.4}}},
+    {"5_1", 16, false, COVERAGE | OWN_RANGE,
+     {RANDOM, {"wall", OTHER_PIXELS, 0.05}, {"floor", OTHER_PIXELS, 0.05}, {"wall", TIME, 1.4}}},
+    {"5_2", 16, false, SAME_PROMISES,
+     {RANDOM, {"floor", OTHER_PIXELS, 0}, {"mesh", OTHER_PIXELS, 0}, {"mesh", TIME, 1.4}}},
 };
 
 static const struct exercise *exercise_find(const char *name)
@@ -314,15 +235,49 @@ static const struct exercise *exercise_find(const char *name)
     return NULL;
 }
 
+static double measured(const struct subject *subject, const struct check *check, char text[TEXT])
+{
+    const bool file = check->source && strchr(check->source, '/');
+    const struct options options = {.size = {640, 480}, .triangles = file ? check->source : NULL,
+                                    .scene = file ? NULL : check->source};
+    struct image frames[2];
+    struct source source;
+    struct error error = {""};
+    double value;
+
+    if (!check->source) {
+        return check->measure == TURNED_CASES ? turned_cases(subject, text)
+                                              : wrong_cases(&subject->own, case_make, text);
+    }
+    require(source_open(&source, &options, &error), error.text);
+    require(image_create(&frames[0], source.size.width, source.size.height) &&
+                image_create(&frames[1], source.size.width, source.size.height),
+            "no memory");
+    switch (check->measure) {
+    case RMS_ERROR: value = accuracy_of(subject, &source).position_rms; break;
+    case LARGEST_ERROR: value = accuracy_of(subject, &source).position_max; break;
+    case OTHER_PIXELS: value = other_pixels(subject, &source, frames, text); break;
+    case TIME: value = time_taken(subject, &source, frames, check->most); break;
+    default: value = accuracy_of(subject, &source).wrong_texel_pct;
+    }
+    image_destroy(&frames[0]);
+    image_destroy(&frames[1]);
+    source_close(&source);
+    return value;
+}
+
 static bool judge(const struct exercise *exercise, const struct subject *subject)
 {
     int passed = 0, count = 0;
 
-    for (; count < CHECKS_MAX && exercise->checks[count].holds; count++) {
+    for (; count < CHECKS_MAX && exercise->checks[count].measure; count++) {
         const struct check *check = &exercise->checks[count];
-        char text[TEXT];
-        const bool holds = check->holds(subject, check->source, check->most, text);
-        printf("%s  %s: %s\n", holds ? "pass" : "FAIL", check->what, text);
+        char text[TEXT] = "";
+        const double value = measured(subject, check, text);
+        const bool holds = value <= check->most;
+        printf("%s  %s: %.4g %s, at most %g%s\n", holds ? "pass" : "FAIL",
+               check->source ? check->source : "random triangles", value,
+               units[check->measure], check->most, text);
         fflush(stdout); /* what comes next may crash */
         passed += holds;
     }
@@ -333,7 +288,8 @@ static bool judge(const struct exercise *exercise, const struct subject *subject
 int main(int argc, char **argv)
 {
     const struct exercise *exercise = argc == 2 ? exercise_find(argv[1]) : NULL;
-    struct subject subject = {.stage = exercise ? stage_find(exercise->digit) : NULL};
+    const char digit[2] = {exercise ? exercise->name[0] : '\0'};
+    struct subject subject = {.stage = stage_find(digit)};
 
     if (!subject.stage || !stage_find("mine")) {
         fprintf(stderr, "usage: judge N_E, of a stage that is in this build\n");
