@@ -96,7 +96,8 @@ static const struct rule rules[] = {
      "checker, or a P6 .ppm file, its sides powers of two",
      TEXT(texture)},
     {OPTION_OUTPUT, "-o", "FILE", "where to write the result", TEXT(output)},
-    {OPTION_FOLDER, "-o", "DIR", "where to write it; made where it is missing", TEXT(output)},
+    {OPTION_FOLDER, "-o", "DIR", "where to write it; made where it is missing, in a folder" NEXT
+     "that is there", TEXT(output)},
     {OPTION_MAX_PIXELS, "--max-pixels", "N", "how many may differ (default: any number)",
      NUMBER(max_pixels, 0, FRAME_SIDE_MAX * FRAME_SIDE_MAX)},
     {OPTION_CSV, "--csv", "FILE", "where to write it as CSV", TEXT(csv)},

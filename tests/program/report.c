@@ -1,12 +1,14 @@
 /* texmap report: a page on which to step through what the stages do, made from real runs. */
 #define _POSIX_C_SOURCE 200809L
+#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "tests/bench/machine.h"
 #include "tests/files/file.h"
-#include "tests/files/folder.h"
 #include "tests/page/report.h"
 #include "tests/program/commands.h"
 
@@ -28,12 +30,12 @@ static bool write_page(const char *path, const char *page, size_t size, struct e
     return file_finish(file, path, error);
 }
 
-/* Makes DIR and writes the page there; with no page, only tries whether that could be done. */
+/* Makes DIR where it is missing and writes the page there; with no page, only tries whether that
+ * could be done. A folder that was made for nothing is gone again. */
 static bool write_folder(const char *folder, const char *page, size_t size, struct error *error)
 {
     char path[PATH_MAX];
     const int length = snprintf(path, sizeof path, "%s/index.html", folder);
-    size_t made;
 
     if (length < 0 || (size_t)length >= sizeof path) {
         return error_set(error, "%s: too long", folder);
@@ -41,13 +43,13 @@ static bool write_folder(const char *folder, const char *page, size_t size, stru
     if (page) {
         printf("%s, %.1f MB: open it in a browser.\n", path, (double)size / 1e6);
     }
-    if (!folder_create(folder, &made, error)) {
-        return false;
+    const bool made = mkdir(folder, 0777) == 0;
+    if (!made && errno != EEXIST) {
+        return error_set(error, "%s: cannot be made: %s", folder, strerror(errno));
     }
-    const bool done =
-        page ? write_page(path, page, size, error) : file_possible(path, error);
-    if (!page || !done) {
-        folder_remove(folder, made);
+    const bool done = page ? write_page(path, page, size, error) : file_possible(path, error);
+    if (made && (!page || !done)) {
+        rmdir(folder);
     }
     return done;
 }

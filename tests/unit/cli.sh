@@ -254,7 +254,8 @@ refused '' nosuch "''" --nosuch 'help nosuch' 'help render scene' 'help --scene 
     'bench --scene none' 'bench --stage none' 'chart columns.csv -o out.svg' 'chart -o out.svg' \
     'chart missing.csv -o out.svg' 'chart columns.csv -o out.png' 'report' \
     'trace --stage coda --scene wall' 'report -o index' 'diff --scene wall' \
-    'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report -o good.tri/out'
+    'accuracy --scene wall' 'accuracy --stage 7 --scene wall' 'report -o good.tri/out' \
+    'report -o missing/out'
 refused bench "--stage ''" "--scene ''" '--seconds 0' '--seconds -1' '--seconds 1.5' --seconds \
     '--seconds 1x' '--seconds 99999' '--size 0x1' extra \
     '--stage 1 --scene wall --size 8x8 --csv missing/a.csv'

@@ -86,7 +86,7 @@ $prints
 trace --stage 4 --triangles in.tri $small
 END
 result 'without memory each command says so'
-(cd "$top" && "$TEXMAP_BUILD/memory" report -o "$work/out/new/folder") > /dev/full 2> log
+(cd "$top" && "$TEXMAP_BUILD/memory" report -o "$work/out/new") > /dev/full 2> log
 [ $? -eq 2 ] && [ -z "$(state)" ] || why="$(tail -n 9 log) left in out/: $(state)"
 result 'without memory report says so, and when it fails it leaves no folder'
 

@@ -14,8 +14,8 @@ loads() {
         -e WebSocket -e sendBeacon nameless.txt
 }
 
-texmap report -o a/b > log.out 2> said.txt
-page=a/b/index.html
+texmap report -o page > log.out 2> said.txt
+page=page/index.html
 test_that 'the page is there, under 5 MB' [ "$(cat $page | wc -c)" -gt 1000 -a \
     "$(cat $page | wc -c)" -lt 5000000 ]
 test_that 'report shows that it goes on only on a terminal' eval '! grep -q "report: " said.txt'
