@@ -128,25 +128,6 @@ static void set_axes(struct panel *panel, const struct series *all, struct box b
                              .from = box.y1 - band, .to = box.y0, .band = band};
 }
 
-/* From point to point, the coda's aside, the slower the more exact: all above and right of the line
- * is beaten. */
-static void draw_frontier(struct panel *panel, const struct series *by_time)
-{
-    struct point points[2 * CHART_SCENE_ROWS_MAX + 1];
-    size_t count = 0;
-    double best = panel->y.to; /* pixels: the lower in the picture the better */
-    for (size_t i = 0; i < by_time->count; i++) {
-        const struct point at = place(panel, by_time->rows[i]);
-        if (by_time->rows[i]->mark != 'C' && at.y > best) {
-            points[count++] = (struct point){at.x, best};
-            points[count++] = at;
-            best = at.y;
-        }
-    }
-    points[count++] = (struct point){panel->x.to, best};
-    svg_polyline(panel->out, points, count, "rule");
-}
-
 static void draw_lookup(struct panel *panel, double lookup, bool large)
 {
     static const char label[] = "lookup: no mapper that goes pixel by pixel is faster";
@@ -238,7 +219,6 @@ static void draw_panel(FILE *out, const struct chart *chart, size_t scene, struc
     snprintf(band_label, sizeof band_label, "< 1/%.0f", 1 / panel.y.low);
     panel.band_label = band_label;
     panel_begin(&panel);
-    draw_frontier(&panel, &all);
     draw_lookup(&panel, all.rows[0]->lookup, large);
     draw_curve(&panel, &segments);
     for (size_t i = 1; i < stages.count; i++) {
@@ -281,9 +261,6 @@ static void draw_legend(FILE *out, double x, double y)
     svg_line(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, "s2 curve");
     svg_mark(out, (struct point){x + SAMPLE_WIDTH / 2, y - 4}, 2, false, NULL);
     svg_text(out, (struct point){x + 38, y}, &soft_style, "stage 4, other lengths of segment");
-    x += 262;
-    svg_line(out, (struct point){x, y - 4}, (struct point){x + SAMPLE_WIDTH, y - 4}, "rule");
-    svg_text(out, (struct point){x + 38, y}, &soft_style, "frontier, without the coda");
 }
 
 static void draw_head(FILE *out, const struct chart *chart, const struct series *stages)

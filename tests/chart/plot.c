@@ -25,97 +25,95 @@ double axis_at(const struct axis *axis, double value)
     return axis->from + (axis->to - axis->from) * along;
 }
 
-static size_t add_tick(const struct axis *axis, double value, bool labelled,
-                       struct tick ticks[TICKS_MAX], size_t count)
-{
-    double slack = 1e-9; /* low and high themselves count, whatever their last bit */
-    if (count == TICKS_MAX || value < axis->low - slack * fabs(axis->low) ||
-        value > axis->high + slack * fabs(axis->high)) {
-        return count;
-    }
-    ticks[count].value = value;
-    ticks[count].label[0] = '\0';
-    if (labelled) {
-        snprintf(ticks[count].label, sizeof ticks[count].label, "%.10g", value);
-    }
-    return count + 1;
-}
+#define SLACK 1e-9 /* low and high themselves are ticks, whatever their last bit */
 
-static size_t log_ticks(const struct axis *axis, double room, struct tick ticks[TICKS_MAX])
+/* Powers of ten; and 2 and 5 times them where there is room: the gaps are log 2, log 2.5, log 2. */
+static size_t log_ticks(const struct axis *axis, double room, double ticks[TICKS_MAX])
 {
+    const double decades = log10(axis->high) - log10(axis->low);
+    const bool all = fabs(axis->to - axis->from) / decades * log10(2) >= room;
     size_t count = 0;
-    double decade = fabs(axis->to - axis->from) / (log10(axis->high) - log10(axis->low));
-    bool all = decade * log10(2) >= room; /* the gaps are log 2, log 2.5 and log 2 */
-    int skip = (int)fmin(ceil(room / decade), 100);
-    for (int p = (int)floor(log10(axis->low)); p <= (int)ceil(log10(axis->high)); p++) {
-        double power = pow(10, p);
-        count = add_tick(axis, power, p % skip == 0, ticks, count);
-        if (all) {
-            count = add_tick(axis, 2 * power, true, ticks, count);
-            count = add_tick(axis, 5 * power, true, ticks, count);
+
+    for (double power = pow(10, floor(log10(axis->low))); power <= axis->high * (1 + SLACK);
+         power *= 10) {
+        const double values[] = {power, 2 * power, 5 * power};
+        for (int i = 0; i < (all ? 3 : 1) && count < TICKS_MAX; i++) {
+            if (values[i] >= axis->low * (1 - SLACK) && values[i] <= axis->high * (1 + SLACK)) {
+                ticks[count++] = values[i];
+            }
         }
     }
     return count;
 }
 
-static size_t linear_ticks(const struct axis *axis, double room, struct tick ticks[TICKS_MAX])
+static size_t linear_ticks(const struct axis *axis, double room, double ticks[TICKS_MAX])
 {
-    double length = fabs(axis->to - axis->from);
-    double least = (axis->high - axis->low) * fmin(1, room / length);
-    double power = pow(10, floor(log10(least)));
-    double step = least <= power ? power
-                  : least <= 2 * power ? 2 * power
-                  : least <= 5 * power ? 5 * power
-                                       : 10 * power;
+    const double least = (axis->high - axis->low) * fmin(1, room / fabs(axis->to - axis->from));
+    double step = pow(10, floor(log10(least)));
     size_t count = 0;
+
+    for (int i = 0; step < least; i++) { /* to 2, 5, and 10 times that */
+        step *= i == 1 ? 2.5 : 2;
+    }
     for (double i = ceil(axis->low / step); i * step <= axis->high && count < TICKS_MAX; i++) {
-        count = add_tick(axis, i * step, true, ticks, count);
+        ticks[count++] = i * step;
     }
     return count;
 }
 
-size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX])
+size_t axis_ticks(const struct axis *axis, double ticks[TICKS_MAX])
 {
-    bool level = axis->to > axis->from; /* an upright axis runs up: to smaller pixels */
-    double room = level ? TICK_WIDE : TICK_ROOM;
+    const bool level = axis->to > axis->from; /* an upright axis runs up: to smaller pixels */
+    const double room = level ? TICK_WIDE : TICK_ROOM;
+
     return axis->log ? log_ticks(axis, room, ticks) : linear_ticks(axis, room, ticks);
+}
+
+/* A number, or another text, that belongs to an axis. */
+static void draw_label(const struct panel *panel, double x, double y, const char *anchor,
+                       const char *text)
+{
+    svg_text(panel->out, (struct point){x, y}, &(struct text_style){TICK_SIZE, anchor, "soft"},
+             text);
+}
+
+static void draw_number(const struct panel *panel, double x, double y, const char *anchor,
+                        double number)
+{
+    char text[24];
+
+    snprintf(text, sizeof text, "%.10g", number);
+    draw_label(panel, x, y, anchor, text);
 }
 
 static void draw_x_ticks(const struct panel *panel, struct box box)
 {
-    struct tick ticks[TICKS_MAX];
-    size_t count = axis_ticks(&panel->x, ticks);
-    for (size_t i = 0; i < count; i++) {
-        double x = axis_at(&panel->x, ticks[i].value);
-        svg_line(panel->out, (struct point){x, box.y0}, (struct point){x, box.y1}, "grid");
-        if (ticks[i].label[0] != '\0') {
-            svg_text(panel->out, (struct point){x, box.y1 + TICK_SIZE + 4},
-                     &(struct text_style){TICK_SIZE, "middle", "soft"}, ticks[i].label);
-        }
-    }
-}
+    double ticks[TICKS_MAX];
+    const size_t count = axis_ticks(&panel->x, ticks);
 
-static void draw_y_label(const struct panel *panel, double y, const char *label)
-{
-    svg_text(panel->out, (struct point){panel->x.from - 5, y + TICK_SIZE * TEXT_DROP},
-             &(struct text_style){TICK_SIZE, "end", "soft"}, label);
+    for (size_t i = 0; i < count; i++) {
+        const double x = axis_at(&panel->x, ticks[i]);
+        svg_line(panel->out, (struct point){x, box.y0}, (struct point){x, box.y1}, "grid");
+        draw_number(panel, x, box.y1 + TICK_SIZE + 4, "middle", ticks[i]);
+    }
 }
 
 static void draw_y_ticks(const struct panel *panel, struct box box)
 {
-    struct tick ticks[TICKS_MAX];
-    size_t count = axis_ticks(&panel->y, ticks);
-    double band = panel->band_label ? panel->y.from + panel->y.band / 2 : INFINITY;
+    const double x = box.x0 - 5, drop = TICK_SIZE * TEXT_DROP;
+    const double band = panel->y.from + panel->y.band / 2;
+    double ticks[TICKS_MAX];
+    const size_t count = axis_ticks(&panel->y, ticks);
+
     for (size_t i = 0; i < count; i++) {
-        double y = axis_at(&panel->y, ticks[i].value);
+        const double y = axis_at(&panel->y, ticks[i]);
         svg_line(panel->out, (struct point){box.x0, y}, (struct point){box.x1, y}, "grid");
-        bool crowded = fabs(band - y) < TICK_ROOM;
-        if (ticks[i].label[0] != '\0' && !crowded) {
-            draw_y_label(panel, y, ticks[i].label);
+        if (!panel->band_label || band - y >= TICK_ROOM) {
+            draw_number(panel, x, y + drop, "end", ticks[i]);
         }
     }
     if (panel->band_label) {
-        draw_y_label(panel, band, panel->band_label);
+        draw_label(panel, x, band + drop, "end", panel->band_label);
     }
 }
 

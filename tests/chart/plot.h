@@ -18,16 +18,11 @@ struct axis {
 
 double axis_at(const struct axis *axis, double value);
 
-struct tick {
-    double value;
-    char label[24]; /* "" for a grid line without a number */
-};
-
 #define TICKS_MAX 64
 
-/* Round numbers between low and high: 1, 2 or 5 times a power of ten apart when linear; when log
- * the powers of ten, and 2 and 5 times them where there is room. */
-size_t axis_ticks(const struct axis *axis, struct tick ticks[TICKS_MAX]);
+/* Round numbers from low to high: 1, 2 or 5 times a power of ten apart when linear; when log the
+ * powers of ten, and 2 and 5 times them where there is room. */
+size_t axis_ticks(const struct axis *axis, double ticks[TICKS_MAX]);
 
 #define TAKEN_MAX 256
 

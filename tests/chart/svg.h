@@ -37,7 +37,7 @@ double svg_text_width(const char *text, const struct text_style *style);
 /* Writes one line of text, its baseline at `at`. */
 void svg_text(FILE *out, struct point at, const struct text_style *style, const char *text);
 
-/* Classes of shapes: grid, frame, band, rule, floor, leader, or s0 to s5 with path or curve. */
+/* Classes of shapes: grid, frame, band, floor, leader, or s0 to s5 with path or curve. */
 void svg_polyline(FILE *out, const struct point *points, size_t count, const char *class);
 void svg_line(FILE *out, struct point a, struct point b, const char *class);
 void svg_arrow(FILE *out, struct point a, struct point b, double gap); /* free at both ends */

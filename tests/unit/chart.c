@@ -84,11 +84,11 @@ static void test_axes(void)
         const char *labels;
     } rows[] = {{&y, "0.1 0.2 0.5 1 2 5 10 "}, {&x, "-1 0 1 2 3 "}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct tick ticks[TICKS_MAX];
+        double ticks[TICKS_MAX];
         char got[256] = "";
         const size_t count = axis_ticks(rows[i].axis, ticks);
         for (size_t k = 0; k < count; k++) {
-            strcat(strcat(got, ticks[k].label), " ");
+            sprintf(got + strlen(got), "%.10g ", ticks[k]);
         }
         check(strcmp(got, rows[i].labels) == 0, "ticks are round numbers, ends included",
               "expected '%s', got '%s'", rows[i].labels, got);
