@@ -59,8 +59,7 @@ static size_t count_pixels(const struct source *source, int grid)
         if (!exact_setup(&triangle, v)) {
             continue;
         }
-        for (int y = triangle.first_row > 0 ? triangle.first_row : 0;
-             y < triangle.end_row && y < source->size.height; y++) {
+        for (int y = triangle.first_row; y < triangle.end_row && y < source->size.height; y++) {
             int first, end;
             exact_row(&triangle, y, source->size.width, &first, &end);
             pixels += end > first ? (size_t)(end - first) : 0;

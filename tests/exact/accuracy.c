@@ -35,14 +35,6 @@ static void measure_coverage(const struct meter *meter, struct accuracy *accurac
     }
 }
 
-/* Texels from the right one, or from the nearer of the two on a border. */
-static int texel_error(struct axis_place exact, uint32_t texel)
-{
-    const int error = texel_difference(exact.texel, (int)texel, TEXTURE_SIDE);
-
-    return error == exact.other ? 0 : error;
-}
-
 static int largest_of(int a, int b)
 {
     return abs(a) > abs(b) ? abs(a) : abs(b);

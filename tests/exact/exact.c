@@ -85,7 +85,7 @@ bool exact_setup(struct exact_triangle *triangle, const struct vertex v[3])
             set_edge(triangle, i, p[to], p[from]);
         }
     }
-    triangle->first_row = (int)ceil(min3(v[0].y, v[1].y, v[2].y));
+    triangle->first_row = (int)fmax(0, ceil(min3(v[0].y, v[1].y, v[2].y)));
     triangle->end_row = (int)ceil(max3(v[0].y, v[1].y, v[2].y));
     set_texels(triangle, v);
     return true;
@@ -106,7 +106,7 @@ void exact_row(const struct exact_triangle *triangle, int y, int width, int *fir
             int64_t x = floor_divide(-short_by, -step) + 1;
             high = x < high ? x : high;
         } else if (short_by > 0) {
-            high = low;
+            high = 0;
         }
     }
     *first = (int)(low < width ? low : width);
@@ -146,29 +146,23 @@ struct vertex exact_round(const struct vertex *vertex, int grid)
     return rounded;
 }
 
-/* The triangle's own texels along one axis, lowest = floor(min + 1/2) .. highest = ceil(max - 1/2).
- * A constant on the border of two has highest < lowest: both become the one inside the texture. */
-struct own_texels {
-    int lowest, highest;
-};
-
-static struct own_texels own_texels(double c_min, double c_max, int side)
+struct texel_range exact_own_range(double min, double max, int side)
 {
-    int lowest = (int)floor(c_min + 0.5), highest = (int)ceil(c_max - 0.5);
+    struct texel_range own = {(int)floor(min + 0.5), (int)ceil(max - 0.5)};
 
-    if (highest < lowest) {
-        lowest = highest = highest == side - 1 ? highest : lowest;
+    if (own.high < own.low) {
+        own.low = own.high = own.high == side - 1 ? own.high : own.low;
     }
-    return (struct own_texels){lowest, highest};
+    return own;
 }
 
 /* The texel of coordinate c, floor(c + 1/2): unit squares around their centres. c's own error is
  * far below EXACT_TIE, so that all pixels with the same coordinate get the same texel. */
-static int texel_index(double c, struct own_texels own, int side)
+static int texel_index(double c, struct texel_range own, int side)
 {
     int index = (int)floor(c + (0.5 + EXACT_TIE));
 
-    index = index < own.lowest ? own.lowest : index > own.highest ? own.highest : index;
+    index = index < own.low ? own.low : index > own.high ? own.high : index;
     return index & (side - 1);
 }
 
@@ -180,11 +174,9 @@ void exact_draw_triangle(struct image *frame, const struct image *texture,
     if (!exact_setup(&triangle, v)) {
         return;
     }
-    struct own_texels own_u = own_texels(triangle.u_min, triangle.u_max, texture->width);
-    struct own_texels own_v = own_texels(triangle.v_min, triangle.v_max, texture->height);
-    int first_row = triangle.first_row > 0 ? triangle.first_row : 0;
-    int end_row = triangle.end_row < frame->height ? triangle.end_row : frame->height;
-    for (int y = first_row; y < end_row; y++) {
+    struct texel_range own_u = exact_own_range(triangle.u_min, triangle.u_max, texture->width);
+    struct texel_range own_v = exact_own_range(triangle.v_min, triangle.v_max, texture->height);
+    for (int y = triangle.first_row; y < triangle.end_row && y < frame->height; y++) {
         int first, end;
         exact_row(&triangle, y, frame->width, &first, &end);
         for (int x = first; x < end; x++) {

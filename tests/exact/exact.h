@@ -20,7 +20,7 @@
 struct exact_triangle {
     int64_t constant[3], step_x[3], step_y[3];
     int64_t least[3];       /* the smallest w_i inside: 0 on a left or top edge, else 1 */
-    int first_row, end_row; /* first_row <= y < end_row holds every covered pixel */
+    int first_row, end_row; /* first_row <= y < end_row holds every covered pixel; y >= 0 */
     double one_over_z[3], u[3], v[3];
     double u_min, u_max, v_min, v_max;
 };
@@ -35,7 +35,7 @@ struct exact_point {
 bool exact_setup(struct exact_triangle *triangle, const struct vertex v[3]);
 
 /* The columns *first <= x < *end that the triangle covers in row y, by the top-left rule, within a
- * frame of `width` columns; *first >= *end where there are none. Exact. */
+ * frame of `width` columns; *first >= *end where there are none, as in all rows outside. Exact. */
 void exact_row(const struct exact_triangle *triangle, int y, int width, int *first, int *end);
 
 /* u, v and z at the centre of a covered pixel: weights and sums have one sign, so that double
@@ -45,6 +45,14 @@ struct exact_point exact_at(const struct exact_triangle *triangle, int x, int y)
 /* The vertex with x and y moved to the nearest of `grid` positions a pixel, halves up:
  * floor(c grid + 1/2) / grid, exactly; grid is 1 or 16, or 0: the vertex stays as it is. */
 struct vertex exact_round(const struct vertex *vertex, int grid);
+
+/* The triangle's own texels along one axis: floor(min + 1/2) .. ceil(max - 1/2) of its three u, or
+ * v, before they are masked. A constant on the border of two has high < low: both then become the
+ * one inside the texture. */
+struct texel_range {
+    int low, high;
+};
+struct texel_range exact_own_range(double min, double max, int side);
 
 /* Draws the triangle as a stage does. The texel is floor(u + 1/2), floor(v + 1/2), repeated; held
  * to the texture's last where the triangle uses the texture once and u or v is exactly

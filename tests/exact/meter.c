@@ -84,6 +84,13 @@ bool meter_begin(struct meter *meter, const struct triangle_list *list)
     return true;
 }
 
+int texel_error(struct axis_place exact, uint32_t texel)
+{
+    const int error = texel_difference(exact.texel, (int)texel, TEXTURE_SIDE);
+
+    return error == exact.other ? 0 : error;
+}
+
 /* min, max: the range of the coordinate over the triangle, not scaled. */
 static struct axis_place place_on_axis(double coordinate, double min, double max, int scale)
 {
@@ -134,8 +141,7 @@ void places_fill(struct place *places, struct image *surfaces, const uint32_t *s
         if (!exact_setup(&triangle, list->items[i].v)) {
             continue;
         }
-        for (int y = triangle.first_row > 0 ? triangle.first_row : 0;
-             y < triangle.end_row && y < surfaces->height; y++) {
+        for (int y = triangle.first_row; y < triangle.end_row && y < surfaces->height; y++) {
             fill_span(places, surfaces, surface_of ? surface_of[i] : ALPHA, &triangle, y, scale);
         }
     }

@@ -55,6 +55,9 @@ int ruler_scale(const struct triangle_list *list);
  * copy is meant: -side/2 .. side/2 - 1. */
 int texel_difference(int from, int to, int side);
 
+/* From the right texel of the texture `coord`, or the nearer of two on a border, to this one. */
+int texel_error(struct axis_place exact, uint32_t texel);
+
 /* Begins to measure a list: numbers its surfaces. False when there is no memory. */
 bool meter_begin(struct meter *meter, const struct triangle_list *list);
 

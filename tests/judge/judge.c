@@ -116,22 +116,16 @@ bool judge_clean(const struct judge *judge, char text[JUDGE_TEXT])
 
 /* u, or v. */
 struct axis {
-    double min, max, largest; /* of the three vertices; |u| at most */
-    int low, high;            /* the triangle's own range of texels */
-    int side;                 /* of the texture */
+    double largest;         /* |u| at most */
+    struct texel_range own; /* the triangle's */
+    int side;               /* of the texture */
 };
 
 static struct axis axis_setup(float a, float b, float c, int side)
 {
     const double min = fmin(a, fmin(b, c)), max = fmax(a, fmax(b, c));
-    struct axis axis = {min, max, fmax(fabs(min), fabs(max)), (int)floor(min + 0.5),
-                        (int)ceil(max - 0.5), side};
 
-    if (axis.high < axis.low) { /* constant, on a border: the one inside the texture */
-        const bool only_high = axis.high >= 0 && axis.high < side && axis.low >= side;
-        axis.low = axis.high = only_high ? axis.high : axis.low;
-    }
-    return axis;
+    return (struct axis){fmax(fabs(min), fabs(max)), exact_own_range(min, max, side), side};
 }
 
 /* One triangle, and what one stage may make of it. */
@@ -214,11 +208,6 @@ static bool edge_is_near(const struct trial *t, int x, int y)
     return false;
 }
 
-/* Indices of texels, before they are masked. */
-struct indices {
-    int low, high;
-};
-
 #define NO_BOUND 1e6     /* texels: more than a texture has */
 #define ON_BORDER 1e-9   /* texels: the exact coordinate is good to 1e-11 */
 #define STEP_MIN 1e-3    /* texels a pixel: less is no direction */
@@ -289,26 +278,26 @@ static double allowed(const struct segment *s, const struct allowance *may, int 
 /* The indices that a coordinate c, off by at most `off`, may become. Where the stage truncates:
  * toward 0. Where it rounds: floor(c + 1/2) or ceil(c - 1/2). `step`: how c changes to the next
  * pixel, where it must be known on which side of a border it lies. */
-static struct indices indices_of(const struct trial *t, const struct axis *axis, double c,
+static struct texel_range indices_of(const struct trial *t, const struct axis *axis, double c,
                                  double off, double step)
 {
-    struct indices may = {(int)ceil(c - off - HALF), (int)floor(c + off + HALF)};
+    struct texel_range may = {(int)ceil(c - off - HALF), (int)floor(c + off + HALF)};
 
     if (t->stage->truncates) {
-        return (struct indices){(int)(c - off), (int)(c + off)};
+        return (struct texel_range){(int)(c - off), (int)(c + off)};
     }
     if (fabs(step) >= STEP_MIN && fabs(c - floor(c) - HALF) < ON_BORDER) {
         may.low = may.high = (int)floor(c) + (step > 0);
     }
     if (t->own_range) {
-        may.low = may.low > axis->low ? may.low : axis->low;
-        may.high = may.high < axis->high ? may.high : axis->high;
+        may.low = may.low > axis->own.low ? may.low : axis->own.low;
+        may.high = may.high < axis->own.high ? may.high : axis->own.high;
     }
     return may;
 }
 
 /* Any copy of the texture counts: -1 is the last texel of the copy before. */
-static bool is_one_of(int index, struct indices may, int side)
+static bool is_one_of(int index, struct texel_range may, int side)
 {
     return ((unsigned)(index - may.low) & (unsigned)(side - 1)) <= (unsigned)(may.high - may.low);
 }
@@ -358,7 +347,7 @@ static bool judge_texel(struct judge *judge, const struct trial *t, const struct
             continue; /* as nearly all are, and this is quick */
         }
         const double off = allowed(s, vertical ? &s->v : &s->u, x);
-        const struct indices may = indices_of(t, axis, c, fmin(off, NO_BOUND),
+        const struct texel_range may = indices_of(t, axis, c, fmin(off, NO_BOUND),
                                               step_at(judge, t, vertical, first, end, x));
         const int wrong = texels_off(c, index, axis->side);
         if (!is_one_of(index, may, axis->side)) {
@@ -382,7 +371,7 @@ static bool judge_row(struct judge *judge, const struct trial *t, int y, char te
     struct segment s = {.from = -1, .to = -1};
     int first = 0, end = 0;
 
-    if (t->area && y >= t->exact.first_row && y < t->exact.end_row) {
+    if (t->area) {
         exact_row(&t->exact, y, frame->width, &first, &end);
     }
     const int length = t->stage->segment_length ? t->stage->segment_length : end - first;

@@ -66,13 +66,13 @@ struct stability_stages stability_stages(void)
     return chosen;
 }
 
-/* Is the texel one of floor(min + 1/2) .. ceil(max - 1/2)? The texture repeats. */
+/* Is the texel in the triangle's own range? The texture repeats. */
 static bool in_own_range(uint32_t texel, float a, float b, float c)
 {
-    const int low = (int)floor(fmin(a, fmin(b, c)) + 0.5);
-    const int high = (int)ceil(fmax(a, fmax(b, c)) - 0.5);
+    const struct texel_range own =
+        exact_own_range(fmin(a, fmin(b, c)), fmax(a, fmax(b, c)), TEXTURE_SIDE);
 
-    return ((texel - (uint32_t)low) & (TEXTURE_SIDE - 1)) <= (uint32_t)(high - low);
+    return ((texel - (uint32_t)own.low) & (TEXTURE_SIDE - 1)) <= (uint32_t)(own.high - own.low);
 }
 
 /* What was counted in one pixel. */
@@ -88,7 +88,7 @@ static void count_triangle(struct image *frame, const struct vertex v[3], struct
 
     for (int y = 0; y < frame->height; y++) {
         int first = 0, end = 0;
-        if (area && y >= exact.first_row && y < exact.end_row) {
+        if (area) {
             exact_row(&exact, y, frame->width, &first, &end);
         }
         for (int x = 0; x < frame->width; x++) {

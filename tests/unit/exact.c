@@ -70,7 +70,7 @@ static bool agree_in_row(struct random *random, const struct exact_triangle *tri
     const int chance = random_int(random, 0, side - 1);
     int first = 0, end = 0;
 
-    if (triangle && y >= triangle->first_row && y < triangle->end_row) {
+    if (triangle) {
         exact_row(triangle, y, side, &first, &end);
     }
     if (side == SMALL_SIDE) {

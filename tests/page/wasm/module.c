@@ -184,14 +184,6 @@ EXPORT(page_event_costs) const unsigned char *page_event_costs(int stage, int ki
     return trace_costs[stage - 1][kind];
 }
 
-/* How far texel index `got` is from the right one, or from the nearer of two. */
-static int axis_error(struct axis_place exact, uint32_t got)
-{
-    const int error = texel_difference(exact.texel, (int)got, TEXTURE_SIDE);
-
-    return error == exact.other ? 0 : error;
-}
-
 /* Prepares to measure the triangles: the exact answer for all of the frame. False when there is no
  * memory. */
 EXPORT(page_measurable) bool page_measurable(void)
@@ -232,8 +224,8 @@ EXPORT(page_compare) const int *page_compare(void)
             counts[3] += exact != 0;
             counts[4] += got != 0;
         } else if (exact != 0) {
-            error[0] = (int16_t)axis_error(meter.exact[i].u, texel >> 16 & 0xFF);
-            error[1] = (int16_t)axis_error(meter.exact[i].v, texel >> 8 & 0xFF);
+            error[0] = (int16_t)texel_error(meter.exact[i].u, texel >> 16 & 0xFF);
+            error[1] = (int16_t)texel_error(meter.exact[i].v, texel >> 8 & 0xFF);
             const int u = abs(error[0]), v = abs(error[1]);
             *pixels += 1;
             *wrong += u + v > 0;
