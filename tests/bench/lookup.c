@@ -22,32 +22,30 @@ static void draw_indices(struct lookup *lookup, const struct source *source)
     source_draw(&numbered, exact_draw_triangle, NULL, &lookup->index);
 }
 
-/* Finds the runs; with `runs` NULL only counts them. */
-static size_t find_runs(const struct image *index, struct lookup_run *runs)
+static void find_runs(struct lookup *lookup, size_t pixels)
 {
-    const size_t pixels = (size_t)index->width * (size_t)index->height;
-    size_t count = 0;
+    const uint32_t *index = lookup->index.pixels;
 
     for (size_t i = 0; i < pixels; i++) {
-        if (index->pixels[i] == 0) {
-            continue;
-        }
         const size_t begin = i;
-        while (i < pixels && index->pixels[i] != 0) {
+        while (i < pixels && index[i] != 0) {
             i++;
         }
-        if (runs) {
-            runs[count] = (struct lookup_run){begin, i};
+        if (i > begin) {
+            lookup->runs[lookup->run_count++] = (struct lookup_run){begin, i};
+            lookup->pixels += i - begin;
         }
-        count++;
     }
-    return count;
 }
 
 bool lookup_create(struct lookup *lookup, const struct source *source)
 {
-    *lookup = (struct lookup){.texels = malloc((1 + TEXTURE_COUNT * TEXELS) * sizeof(uint32_t))};
-    if (!lookup->texels ||
+    const size_t pixels = (size_t)source->size.width * (size_t)source->size.height;
+
+    *lookup = (struct lookup){
+        .texels = malloc((1 + TEXTURE_COUNT * TEXELS) * sizeof *lookup->texels),
+        .runs = malloc((pixels / 2 + 1) * sizeof *lookup->runs)}; /* at most every second pixel */
+    if (!lookup->texels || !lookup->runs ||
         !image_create(&lookup->index, source->size.width, source->size.height)) {
         lookup_destroy(lookup);
         return false;
@@ -57,16 +55,7 @@ bool lookup_create(struct lookup *lookup, const struct source *source)
         memcpy(lookup->texels + 1 + id * TEXELS, source->textures[id].pixels,
                TEXELS * sizeof(uint32_t));
     }
-    lookup->run_count = find_runs(&lookup->index, NULL);
-    lookup->runs = calloc(lookup->run_count + 1, sizeof *lookup->runs);
-    if (!lookup->runs) {
-        lookup_destroy(lookup);
-        return false;
-    }
-    find_runs(&lookup->index, lookup->runs);
-    for (size_t i = 0; i < lookup->run_count; i++) {
-        lookup->pixels += lookup->runs[i].end - lookup->runs[i].begin;
-    }
+    find_runs(lookup, pixels);
     return true;
 }
 

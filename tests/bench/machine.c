@@ -1,8 +1,6 @@
 #define _GNU_SOURCE /* sched_setaffinity */
 #include "tests/bench/machine.h"
 
-#include <stdbool.h>
-#include <string.h>
 #include <sys/utsname.h>
 #include <time.h>
 #ifdef __linux__
@@ -43,34 +41,24 @@ void machine_pin(void)
 static void print_cpu(FILE *file)
 {
     FILE *info = fopen("/proc/cpuinfo", "r");
-    char line[LINE_LENGTH];
+    char line[LINE_LENGTH], name[LINE_LENGTH] = "unknown CPU";
     struct utsname system;
-    bool found = false;
 
-    while (info && !found && fgets(line, sizeof line, info)) {
-        const char *colon = strchr(line, ':');
-        if (colon && strncmp(line, "model name", strlen("model name")) == 0) {
-            colon += 1 + strspn(colon + 1, " ");
-            fprintf(file, "%.*s, ", (int)strcspn(colon, "\n"), colon);
-            found = true;
-        }
+    while (info && fgets(line, sizeof line, info) &&
+           sscanf(line, "model name : %511[^\n]", name) != 1) {
     }
     if (info) {
         fclose(info);
     }
-    fprintf(file, "%s%s\n", found ? "" : "unknown CPU, ",
-            uname(&system) == 0 ? system.machine : "unknown machine");
+    fprintf(file, "%s, %s\n", name, uname(&system) == 0 ? system.machine : "unknown machine");
 }
 
 void machine_print(FILE *file, const char *prefix)
 {
     const time_t now = time(NULL);
-    char date[LINE_LENGTH] = "unknown";
-    const struct tm *utc = gmtime(&now);
+    char date[16] = "unknown";
 
-    if (utc) {
-        strftime(date, sizeof date, "%Y-%m-%d", utc);
-    }
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     fprintf(file, "%smachine: ", prefix);
     print_cpu(file);
     fprintf(file, "%scompiler: %s\n", prefix, COMPILER);
