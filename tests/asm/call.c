@@ -78,7 +78,8 @@ bool call_checked(void (*function)(void), const uint64_t arguments[CALL_ARGUMENT
     }
     all &= kept(a->rsp == b->rsp, "rsp", text);
     /* Below a stack pointer that is too high nothing need be left. */
-    all &= kept(a->rsp != b->rsp || memcmp(a->stack, b->stack, sizeof a->stack) == 0, "stack", text);
+    all &= kept(a->rsp != b->rsp || memcmp(a->stack, b->stack, sizeof a->stack) == 0, "stack",
+                text);
     all &= kept(!(b->flags & DIRECTION_FLAG), "direction", text);
     all &= kept(((fa->mxcsr ^ fb->mxcsr) & ~MXCSR_STATUS) == 0, "mxcsr", text);
     all &= kept(fa->x87_control == fb->x87_control, "x87_control", text);

@@ -1,12 +1,14 @@
-/* accuracy is held to account: it measures rasterizers whose errors are known, the exact one with a
- * mistake each. Most draw this square on a 64x64 frame:
+/* accuracy and jitter are held to account: they measure rasterizers whose errors are known, the
+ * exact one with a mistake each. Most draw this square on a 64x64 frame:
  *     u = u0 + SLOPE_U x, v = u0 + SLOPE_V y                 texels, pixels, depth 1
  * whose coordinates take all places between two texels, and between two steps of the ruler: 64
  * slopes have the fractions .618 and .382 of the golden ratio. */
 #include <math.h>
+#include <string.h>
 #include <time.h>
 #include "tests/exact/accuracy.h"
 #include "tests/exact/exact.h"
+#include "tests/exact/jitter.h"
 #include "tests/unit/check.h"
 #include "tests/unit/test.h"
 
@@ -17,6 +19,9 @@
 #define LOW 2 /* the square's pixels: LOW..HIGH-1, both ways */
 #define HIGH 62
 #define MANY 20000 /* triangles */
+#define SWIM_U 0.25 /* texels: far more than a step of the ruler */
+#define SWIM_V 0.125
+#define CROSSING 1e-4 /* texel: scaled u and v are floats, and cross a step now and then */
 #define PIXELS ((HIGH - LOW) * (HIGH - LOW))
 
 /* How a rasterizer finds a texel's index from a coordinate at pixel (x, y). */
@@ -295,6 +300,88 @@ static void test_one_place(void)
           "%g s, elsewhere %g s", together, apart);
 }
 
+/* Moves u and v; the ruler's texture has RULER_SCALE_MAX steps for a texel. */
+static void draw_off(struct image *frame, const struct image *texture, const struct vertex v[3])
+{
+    struct vertex off[3] = {v[0], v[1], v[2]};
+    const double steps = texture->width == RULER_SIDE ? RULER_SCALE_MAX : 1;
+
+    for (int k = 0; k < 3; k++) {
+        off[k].u = (float)(off[k].u + SWIM_U * steps);
+        off[k].v = (float)(off[k].v + SWIM_V * steps);
+    }
+    exact_draw_triangle(frame, texture, off);
+}
+
+/* The first vertex, once shifted, tells which frame it is: no memory is needed. */
+static int frame_number(const struct vertex v[3])
+{
+    return (int)floor(v[0].x / JITTER_SHIFT);
+}
+
+static void draw_swimming(struct image *frame, const struct image *texture,
+                          const struct vertex v[3])
+{
+    (frame_number(v) % 2 == 0 ? exact_draw_triangle : draw_off)(frame, texture, v);
+}
+
+/* No pixel is drawn in two frames running. */
+static void draw_blinking(struct image *frame, const struct image *texture,
+                          const struct vertex v[3])
+{
+    if (frame_number(v) % 2 == 0) {
+        (frame_number(v) % 4 == 0 ? exact_draw_triangle : draw_off)(frame, texture, v);
+    }
+}
+
+/* A reading is off by half a step an axis at most, so a change by one. */
+static void check_jitter(const struct accuracy accuracy[4])
+{
+    const struct accuracy *exact = &accuracy[0], *swimming = &accuracy[1], *steady = &accuracy[2];
+    const double swim = hypot(SWIM_U, SWIM_V), reading = hypot(1, 1) / RULER_SCALE_MAX;
+
+    check(exact->jitter_floor > 0 && exact->jitter_floor < exact->ruler_step,
+          "the ruler's floor is below its step", "%.6f", exact->jitter_floor);
+    check(is_near(exact->jitter_rms, exact->jitter_floor, CROSSING),
+          "the exact answer's jitter is the ruler's floor", "%.6f, floor %.6f", exact->jitter_rms,
+          exact->jitter_floor);
+    check(is_near(swimming->jitter_rms, swim, reading),
+          "a texture that swims by a known distance is found to", "%.6f, expected %.6f",
+          swimming->jitter_rms, swim);
+    check(is_near(steady->jitter_rms, steady->jitter_floor, CROSSING),
+          "a steady error does not swim", "%.6f, floor %.6f", steady->jitter_rms,
+          steady->jitter_floor);
+    check(is_near(steady->position_rms, swim, reading), "and yet is an error", "position_rms %.6f",
+          steady->position_rms);
+    check(accuracy[3].jitter_rms == 0, "only pixels drawn in both frames count", "%.6f",
+          accuracy[3].jitter_rms);
+}
+
+static void test_jitter(void)
+{
+    static const struct stage fakes[] = {
+        {"exact", NULL, exact_draw_triangle, .segment_length = 1},
+        {"swimming", NULL, draw_swimming, .segment_length = 1},
+        {"off steadily", NULL, draw_off, .segment_length = 1},
+        {"blinking", NULL, draw_blinking, .segment_length = 1},
+    };
+    const struct stage *const chosen[] = {&fakes[0], &fakes[1], &fakes[2], &fakes[3]};
+    struct source source = {.name = "square", .scene = SCENE_COUNT, .size = {SIDE / 2, SIDE / 2}};
+    struct accuracy accuracy[4];
+    struct error error;
+
+    add_square(&source.given, 4, 24, 1, 20, SLOPE_U, 20, SLOPE_V);
+    if (check(accuracy_measure(&source, chosen, 4, accuracy, &error),
+              "there is memory to measure jitter", "%s", error.text)) {
+        check_jitter(accuracy);
+        check(source.triangles.count == 2 &&
+                  memcmp(source.triangles.items[0].v, source.given.items[0].v,
+                         sizeof source.given.items[0].v) == 0,
+              "measuring leaves the source unshifted", "%zu triangles", source.triangles.count);
+    }
+    source_close(&source);
+}
+
 void test_exact_accuracy(void)
 {
     test_exact_itself();
@@ -304,4 +391,5 @@ void test_exact_accuracy(void)
     test_silhouette();
     test_surfaces();
     test_one_place();
+    test_jitter();
 }

@@ -1,8 +1,9 @@
 /* build/memory ARGUMENT...: texmap with these arguments. Every allocation that it asks for fails
  * once: each time a child process goes on from there without that memory. It must end like every
  * failure, with one line on standard error and exit status 2. If it does not, so says standard
- * error, and the exit status is 99; else it is texmap's own. Its clock runs a thousand times as fast, so that what is timed is soon over. The
- * linker (--wrap) puts the functions here in place of the C library's. */
+ * error, and the exit status is 99; else it is texmap's own. Its clock runs a thousand times as
+ * fast, so that what is timed is soon over. The linker (--wrap) puts the functions here in place of
+ * the C library's. */
 #define _POSIX_C_SOURCE 200809L
 #define main texmap_main
 #include "tests/program/texmap_main.c"

@@ -19,7 +19,6 @@
     SCRIPT(cli, "sh tests/unit/faults.sh") \
     GROUP(exact, test_exact) \
     GROUP(exact, test_exact_accuracy) \
-    GROUP(exact, test_exact_jitter) \
     GROUP(gates, test_gates) \
     GROUP(asm, test_asm) \
     GROUP(coda, test_coda) \
@@ -30,7 +29,6 @@
     GROUP(trace, test_trace) \
     SCRIPT(trace, "sh tests/trace/vanishes.sh") \
     GROUP(bench, test_bench) \
-    GROUP(bench, test_bench_gate) \
     SCRIPT(bench, "sh tests/unit/bench.sh") \
     SCRIPT(bench, "sh tests/bench/compare_test.sh \"$TEXMAP_BUILD\"") \
     GROUP(chart, test_chart) \
