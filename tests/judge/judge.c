@@ -496,7 +496,9 @@ bool judge_case(struct judge *judge, const struct stage *stage, const struct jud
         return broken(text, "no memory");
     }
     for (int i = 0; i < one->count; i++) {
-        if (!judge_triangle(judge, stage, one->v[i], &texture, (int)(one->number % 6), text)) {
+        /* Whatever the kind, all six orders come up. */
+        const int order = (int)((one->number / KIND_COUNT + (uint64_t)i) % 6);
+        if (!judge_triangle(judge, stage, one->v[i], &texture, order, text)) {
             return describe(stage, one, text, i);
         }
     }

@@ -27,19 +27,52 @@ static void check_stage(bool holds, const struct stage *stage, const char *what,
     check(holds, name, "%s", text);
 }
 
-static void test_kind(struct judge *judge, const struct stage *stage, enum kind kind)
+/* Case i of `count`. */
+typedef void maker(struct judge_case *made, int i, enum kind kind);
+
+static void test_cases(struct judge *judge, const struct stage *stage, int count, maker *make,
+                       enum kind kind, const char *name)
 {
-    const int count = kind == HALF_SIZE ? HALF_SIZE_CASES : CASES;
-    char name[WHAT_LENGTH], text[JUDGE_TEXT] = "";
+    char what[WHAT_LENGTH], text[JUDGE_TEXT] = "";
     struct judge_case one;
     bool holds = true;
 
     for (int i = 0; holds && i < count; i++) {
-        case_make(&one, (uint64_t)i * KIND_COUNT + kind);
+        make(&one, i, kind);
         holds = judge_case(judge, stage, &one, text);
     }
-    snprintf(name, sizeof name, "every promise holds: %s", kind_name(kind));
-    check_stage(holds, stage, name, text);
+    snprintf(what, sizeof what, "every promise holds: %s", name);
+    check_stage(holds, stage, what, text);
+}
+
+static void make_of_kind(struct judge_case *made, int i, enum kind kind)
+{
+    case_make(made, (uint64_t)i * KIND_COUNT + kind);
+}
+
+/* The largest frame, the vertices spread over it: they stay on the grid. */
+static void make_largest(struct judge_case *made, int i, enum kind kind)
+{
+    const float least = -0.5f, most = FRAME_SIDE_MAX - 0.5f;
+
+    make_of_kind(made, i, kind);
+    for (int k = 0; k < 3; k++) {
+        made->v[0][k].x = fmaxf(least, fminf(made->v[0][k].x * 64, most));
+        made->v[0][k].y = fmaxf(least, fminf(made->v[0][k].y * 64, most));
+    }
+    made->width = made->height = FRAME_SIDE_MAX;
+}
+
+/* Every multiple of 1/64 pixel to the right and down. */
+static void make_shifted(struct judge_case *made, int i, enum kind kind)
+{
+    make_of_kind(made, i / (SHIFT_ONE * SHIFT_ONE), kind);
+    for (int k = 0; k < 3; k++) {
+        made->v[0][k].x += (float)(i % SHIFT_ONE) / SHIFT_ONE;
+        made->v[0][k].y += (float)(i / SHIFT_ONE % SHIFT_ONE) / SHIFT_ONE;
+    }
+    made->width++;
+    made->height++;
 }
 
 static void test_fair(struct judge *judge, const struct stage *stage)
@@ -67,48 +100,6 @@ static void test_fair(struct judge *judge, const struct stage *stage)
                 "at most 0.1 % of texels are wrong, by 1, in triangles of fair shape", text);
 }
 
-/* The largest frame; and every multiple of 1/64 pixel to the right and down. */
-static void test_largest(struct judge *judge, const struct stage *stage)
-{
-    char text[JUDGE_TEXT] = "";
-    bool holds = true;
-
-    for (int i = 0; holds && i < LARGEST_CASES; i++) {
-        struct random random = random_start((uint64_t)i);
-        struct judge_case one = {.number = (uint64_t)i};
-        case_of_kind(&one, WHOLE, &random);
-        for (int k = 0; k < 3; k++) { /* spread over the frame: still on the grid */
-            one.v[0][k].x = fminf(one.v[0][k].x * 64, FRAME_SIDE_MAX - 0.5f);
-            one.v[0][k].y = fminf(one.v[0][k].y * 64, FRAME_SIDE_MAX - 0.5f);
-            one.v[0][k].x = fmaxf(one.v[0][k].x, -0.5f);
-            one.v[0][k].y = fmaxf(one.v[0][k].y, -0.5f);
-        }
-        one.width = one.height = FRAME_SIDE_MAX;
-        holds = judge_case(judge, stage, &one, text);
-    }
-    check_stage(holds, stage, "every promise holds: 4096x4096", text);
-}
-
-static void test_shifts(struct judge *judge, const struct stage *stage)
-{
-    char text[JUDGE_TEXT] = "";
-    bool holds = true;
-
-    for (int i = 0; holds && i < SHIFTED_TRIANGLES * SHIFT_ONE * SHIFT_ONE; i++) {
-        struct random random = random_start((uint64_t)(i / (SHIFT_ONE * SHIFT_ONE)));
-        struct judge_case one = {.number = (uint64_t)i};
-        case_of_kind(&one, TINY, &random);
-        for (int k = 0; k < 3; k++) {
-            one.v[0][k].x += (float)(i % SHIFT_ONE) / SHIFT_ONE;
-            one.v[0][k].y += (float)(i / SHIFT_ONE % SHIFT_ONE) / SHIFT_ONE;
-        }
-        one.width++;
-        one.height++;
-        holds = judge_case(judge, stage, &one, text);
-    }
-    check_stage(holds, stage, "every promise holds: every shift by 1/64 pixel", text);
-}
-
 static void test_scene(struct judge *judge, const struct stage *stage, enum scene_id scene,
                        int number)
 {
@@ -131,13 +122,15 @@ static void test_scene(struct judge *judge, const struct stage *stage, enum scen
 static void test_stage(struct judge *judge, const struct stage *stage)
 {
     for (enum kind kind = ORDINARY; kind < KIND_COUNT; kind++) {
-        test_kind(judge, stage, kind);
+        test_cases(judge, stage, kind == HALF_SIZE ? HALF_SIZE_CASES : CASES, make_of_kind, kind,
+                   kind_name(kind));
     }
     if (stage->promises & RARELY_WRONG) {
         test_fair(judge, stage);
     }
-    test_largest(judge, stage);
-    test_shifts(judge, stage);
+    test_cases(judge, stage, LARGEST_CASES, make_largest, WHOLE, "4096x4096");
+    test_cases(judge, stage, SHIFTED_TRIANGLES * SHIFT_ONE * SHIFT_ONE, make_shifted, TINY,
+               "every shift by 1/64 pixel");
     for (enum scene_id scene = 0; scene < SCENE_COUNT; scene++) {
         for (int frame = 0; frame <= (scene == SCENE_ROOM ? 200 : 0); frame += 100) {
             test_scene(judge, stage, scene, frame);

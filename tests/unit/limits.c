@@ -63,19 +63,20 @@ static const struct {
      {{0, 0, 1, -0.5f, 0.5f}, {63.5f, 0, 4, 0.5f, 0.5f}, {0, 63.5f, 9, -0.5f, -0.5f}}},
 };
 
-static struct judge_case one_triangle(int width, int height, int texture_width, int texture_height,
-                                      const struct vertex v[3])
+/* The i-th of several. */
+static struct judge_case one_triangle(size_t i, int width, int height, int texture_width,
+                                      int texture_height, const struct vertex v[3])
 {
-    return (struct judge_case){.width = width, .height = height, .texture_width = texture_width,
-                               .texture_height = texture_height, .count = 1,
-                               .v = {{v[0], v[1], v[2]}}};
+    return (struct judge_case){.number = i * KIND_COUNT, .width = width, .height = height,
+                               .texture_width = texture_width, .texture_height = texture_height,
+                               .count = 1, .v = {{v[0], v[1], v[2]}}};
 }
 
 static void test_inside(struct judge *judge)
 {
     for (size_t i = 0; i < sizeof inside / sizeof inside[0]; i++) {
         const struct judge_case one =
-            one_triangle(inside[i].width, inside[i].height, inside[i].texture_width,
+            one_triangle(i, inside[i].width, inside[i].height, inside[i].texture_width,
                          inside[i].texture_height, inside[i].v);
         char text[JUDGE_TEXT] = "";
         check(judge_stages(judge, &one, text), inside[i].name, "%s", text);
@@ -103,7 +104,7 @@ static void test_centres(struct judge *judge)
                                        1.0f + (float)k, 20.0f * (float)k, 60 - 30 * (float)k};
                 v[k].x = fminf(v[k].x, 15.5f);
             }
-            const struct judge_case one = one_triangle(16, 16, 64, 64, v);
+            const struct judge_case one = one_triangle((size_t)n, 16, 16, 64, 64, v);
             holds = judge_stages(judge, &one, text);
         }
     }
