@@ -1,9 +1,9 @@
 #!/bin/sh
 # embed.sh PAGE FILE...: prints a C file that holds the page, a string a line: what
-# tests/page/report.h calls page_lines. A line @NAME@ of PAGE stands for one of the other files; a
-# stage's source has its folder in its name, and is escaped: it is to be read. C joins no lines
-# here, so no string grows too long for a compiler; every ? is escaped, because ??= and the like are
-# C's trigraphs.
+# tests/page/report.h calls page_lines. A line @NAME@ of PAGE stands for one of the other files,
+# @sources@ for the stages' sources, escaped: they are to be read. C joins no lines here, so no
+# string grows too long for a compiler; every ? is escaped, because ??= and the like are C's
+# trigraphs.
 set -eu
 
 page=$1
@@ -11,19 +11,30 @@ shift
 echo '#include "tests/page/report.h"'
 echo 'const char *const page_lines[] = {'
 awk -v files="$*" '
+function copy(file, escaped,   text)
+{
+    while ((getline text < file) > 0) {
+        if (escaped) { gsub(/&/, "\\&amp;", text); gsub(/</, "\\&lt;", text) }
+        print text
+    }
+}
 BEGIN {
-    split(files, all, " ")
+    count = split(files, all, " ")
     for (i in all) {
         name = all[i]
-        if (name !~ /^stage[1-5]/) sub(/.*\//, "", name)
+        sub(/.*\//, "", name)
         path["@" name "@"] = all[i]
     }
 }
-!($0 in path) { print; next }
-{
-    while ((getline text < path[$0]) > 0) {
-        if ($0 ~ /^@stage[1-5]/) { gsub(/&/, "\\&amp;", text); gsub(/</, "\\&lt;", text) }
-        print text
+/^@sources@$/ {
+    for (i = 1; i <= count; i++) if (match(all[i], /^stage[1-5]/)) {
+        print "<details><summary>" all[i] "</summary><pre id=\"source-" \
+            substr(all[i], 6, 1) "\" tabindex=\"0\">"
+        copy(all[i], 1)
+        print "</pre></details>"
     }
-}' "$page" | sed -e 's/[\\"?]/\\&/g' -e 's/^/    "/' -e 's/$/\\n",/'
+    next
+}
+$0 in path { copy(path[$0]); next }
+{ print }' "$page" | sed -e 's/[\\"?]/\\&/g' -e 's/^/    "/' -e 's/$/\\n",/'
 echo '    NULL};'

@@ -35,14 +35,8 @@ class Lanes extends Part {
     super.set({ recording, at: clamp(at ?? first, 0, Math.max(this.steps.length - 1, 0)) });
   }
 
-  step(way) {
-    this.set({ at: this.state.at + way });
-  }
-
-  /* False at the end, where playing stops. */
-  next() {
-    this.step(1);
-    return this.state.at < this.steps.length - 1;
+  go(at) {
+    this.set({ at });
   }
 
   macro(i) {
@@ -56,13 +50,13 @@ class Lanes extends Part {
            this.steps[i][0] > this.steps[i - 1][0]) {
       i++;
     }
-    this.set({ at: i });
+    this.go(i);
   }
 
   /* To where all lanes have stored their next pixel. */
   pixel() {
     const i = this.steps.findIndex((step, k) => k > this.state.at && step[4] === LANES - 1);
-    this.set({ at: i < 0 ? this.steps.length - 1 : i });
+    this.go(i < 0 ? this.steps.length - 1 : i);
   }
 
   /* What the registers hold after the step, and which texel each lane has stored where. */

@@ -59,9 +59,7 @@ static bool print_accuracy(FILE *out, const struct source *source, struct meter 
 static bool print_picture(FILE *out, const struct source *source, int number, const char *name,
                           draw_triangle *draw, const struct image *texture, struct image *frame)
 {
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        frame->pixels[i] = 0;
-    }
+    memset(frame->pixels, 0, sizeof *frame->pixels * WIDTH * HEIGHT);
     source_draw(source, draw, texture, frame);
     fprintf(out, "<figure%s><img id=\"%s-%d\" width=\"%d\" height=\"%d\" alt=\"The room, drawn by "
             "%s\" src=\"", texture ? " hidden" : "", texture ? "coord" : "picture", number, WIDTH,

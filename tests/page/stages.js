@@ -5,7 +5,7 @@ const OTHER_SURFACE = 32767;
 const SIDE = 256;       /* of every texture */
 const TEXTURE_OWN = -1, TEXTURE_BRICKS = 1, TEXTURE_COORD = 4;
 const SCENE_ROOM = 0, ROOM_FRAME = 40, ROOM_SIZE = [320, 240]; /* as tests/page/pictures.c */
-const FLOATS = 15, WORDS = 16; /* a triangle's, given and in the list */
+const FLOATS = 15, WORDS = 16; /* a triangle's: its vertices', and with its texture */
 const TRIANGLES_MAX = 64;      /* that can be given */
 
 const STAGES = [
@@ -52,8 +52,8 @@ class Stages {
 
   /* Takes triangles of fifteen numbers each, clipped; returns the list of them. */
   give(triangles) {
-    this.array(Float32Array, this.wasm.page_given(), FLOATS * triangles.length)
-      .set(triangles.flat());
+    const given = this.array(Float32Array, this.wasm.page_given(), WORDS * triangles.length);
+    triangles.forEach((triangle, k) => given.set(triangle, WORDS * k));
     return this.list(this.wasm.page_triangles(triangles.length));
   }
 

@@ -91,19 +91,8 @@ class Stepper extends Part {
     this.go(this.run.order.get(y * this.state.size[0] + x) ?? this.state.at);
   }
 
-  /* False at the end, where playing stops. */
   go(at) {
-    const last = Math.max(this.run.events.length - 1, 0);
-    super.set({ at: clamp(at, 0, last) });
-    return at < last;
-  }
-
-  step(way) {
-    return this.go(this.state.at + way);
-  }
-
-  next() {
-    return this.step(1);
+    super.set({ at: clamp(at, 0, Math.max(this.run.events.length - 1, 0)) });
   }
 
   /* To the next scanline's span, or the one before. */
@@ -118,9 +107,8 @@ class Stepper extends Part {
 
   key(event) {
     const [dx, dy] = arrow(event) || [0, 0];
-    if (dx) {
-      this.step(dx);
-    } else if (dy) {
+    this.step(dx);
+    if (dy) {
       this.row(dy);
     }
   }

@@ -23,6 +23,4 @@ if [ ! -d "$build/npm/node_modules/axe-core" ]; then
         missing 'playwright-core or axe-core' 'npm could not install them'
 fi
 "$build/texmap" report -o "$build/report" > /dev/null 2>&1 || exit 1
-moved=$(sh tests/page/wasm/build.sh fresh) ||
-    echo "the module in the repository is older than" $moved "(make page-wasm)"
 node tests/page/test.mjs "$build" "$browser" $(command -v firefox-esr)

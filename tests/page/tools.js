@@ -208,6 +208,17 @@ class Part {
       .map(([key, { sign }]) => [key, sign ? this.state[key].join(sign) : this.state[key]]);
   }
 
+  step(way) {
+    this.go(this.state.at + way);
+  }
+
+  /* False at the end. */
+  next() {
+    const { at } = this.state;
+    this.step(1);
+    return this.state.at > at;
+  }
+
   /* Calls next() so many times a second, until it returns false or the button is pressed again. */
   play() {
     const tick = () => {

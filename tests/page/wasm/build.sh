@@ -4,8 +4,8 @@
 # build.sh choose FILE: the same where clang and wasm-ld are, else the module that is in the
 #   repository; beside FILE, in module-note.html, what the page should say about it.
 # build.sh list: every file that the module is made from. build.sh sources: a checksum of each.
-# build.sh fresh: are those the checksums beside the module that is in the repository? If not, says
-#   which files have moved on; status 1. build.sh check: the same, for make test.
+# build.sh check: are those the checksums beside the module that is in the repository? If not, says
+#   which files have moved on. A line for make test.
 set -eu
 
 here=tests/page/wasm
@@ -55,6 +55,13 @@ build()
     mv "$1.new" "$1"
 }
 
+# The files that have changed since the module in the repository was made.
+moved()
+{
+    sh "$0" sources | diff - tests/page/stages.wasm.sources |
+        sed -n 's/^[<>] [0-9]* [0-9]* //p' | sort -u
+}
+
 choose()
 {
     note=${1%/*}/module-note.html
@@ -63,15 +70,16 @@ choose()
         return
     fi
     cp tests/page/stages.wasm.base64 "$1"
-    moved=$(sh "$0" fresh) || echo "<p class=\"note\">The code that runs here is older than these" \
-        "files: ${moved}. With clang and lld installed, make report compiles them.</p>" > "$note"
+    moved=$(moved)
+    [ -z "$moved" ] || echo "<p class=\"note\">The code that runs here is older than these files:" \
+        "$moved. With clang and lld installed, make report compiles them.</p>" > "$note"
 }
 
 check()
 {
-    moved=$(sh "$0" fresh) || moved=${moved:-?}
+    moved=$(moved)
     name="the page's module is made from these sources"
-    [ -z "$moved" ] && echo "ok $name" || echo "SKIP $name: newer are" ${moved}: make page-wasm
+    [ -z "$moved" ] && echo "ok $name" || echo "SKIP $name: newer are" $moved: make page-wasm
 }
 
 case $1 in
@@ -80,6 +88,4 @@ choose) choose "$2" ;;
 list) list ;;
 check) check ;;
 sources) list | while read -r file; do cksum "$file"; done ;;
-fresh) sh "$0" sources | diff - tests/page/stages.wasm.sources |
-    sed -n 's/^[<>] [0-9]* [0-9]* //p' | sort -u | awk '{ print } END { exit NR > 0 }' ;;
 esac

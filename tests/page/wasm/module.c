@@ -16,7 +16,6 @@
 #define EXPORT(name) __attribute__((export_name(#name)))
 #define PAGE_BYTES 65536 /* of WebAssembly's memory */
 #define TRIANGLES_MAX 64 /* that JavaScript can give */
-#define FLOATS 15        /* a triangle's: x y z u v, three times */
 #define EVENTS_MAX 50000 /* of a trace */
 #define EXACT 7
 #define OTHER_SURFACE 32767 /* in errors: the stage and the exact answer show different ones */
@@ -68,7 +67,7 @@ static draw_triangle *const tracing[] = {NULL, traced1_draw_triangle, traced2_dr
 static struct image textures[TEXTURE_COUNT];
 static struct meter meter; /* without its ruler: it is not used here */
 static struct triangle_list list;
-static float given[TRIANGLES_MAX][FLOATS];
+static struct triangle given[TRIANGLES_MAX];
 static int16_t *errors;
 
 /* Begins anew, with an empty frame. False when there is no memory. */
@@ -90,8 +89,9 @@ EXPORT(page_open) bool page_open(int width, int height)
     return image_create(&meter.frame, width, height);
 }
 
-/* Where up to TRIANGLES_MAX triangles are put for page_triangles. */
-EXPORT(page_given) float *page_given(void) { return given[0]; }
+/* Where up to TRIANGLES_MAX triangles are put for page_triangles: each 15 floats, x y z u v three
+ * times, then a 32-bit number for the texture. */
+EXPORT(page_given) struct triangle *page_given(void) { return given; }
 
 static struct view view_of(double shift_x, double shift_y)
 {
@@ -102,18 +102,14 @@ static struct view view_of(double shift_x, double shift_y)
  * how many there are then. */
 EXPORT(page_triangles) size_t page_triangles(int count)
 {
-    struct triangle_list unclipped = {0};
+    const struct triangle_list unclipped = {.items = given, .count = (size_t)count};
     const struct view view = view_of(0, 0);
 
     list = (struct triangle_list){0};
-    for (int i = 0; i < count && i < TRIANGLES_MAX; i++) {
-        struct triangle triangle = {.texture = TEXTURE_COORD};
-        for (int k = 0; k < 3; k++) {
-            const float *v = &given[i][5 * k];
-            triangle.v[k] =
-                (struct vertex){round_to_grid(v[0]), round_to_grid(v[1]), v[2], v[3], v[4]};
-        }
-        triangle_list_add(&unclipped, &triangle);
+    for (int i = 0; i < 3 * count; i++) {
+        struct vertex *v = &given[i / 3].v[i % 3];
+        v->x = round_to_grid(v->x);
+        v->y = round_to_grid(v->y);
     }
     return clip_screen_triangles(&unclipped, &view, &list) ? list.count : 0;
 }
@@ -136,7 +132,7 @@ EXPORT(page_scene) size_t page_scene(int scene, int frame, double shift_x, doubl
     return list.count = kept;
 }
 
-/* The triangles: 15 floats each, then a 32-bit number for the texture. */
+/* The triangles, as they are given. */
 EXPORT(page_list) const struct triangle *page_list(void) { return list.items; }
 
 EXPORT(page_segment_length) void page_segment_length(int length) { chosen_segment_length = length; }
@@ -184,22 +180,19 @@ EXPORT(page_event_costs) const unsigned char *page_event_costs(int stage, int ki
     return trace_costs[stage - 1][kind];
 }
 
-/* Prepares to measure the triangles: the exact answer for all of the frame. False when there is no
- * memory. */
+
+/* Prepares to measure the triangles, once after page_open: the exact answer for all of the frame.
+ * False when there is no memory. */
 EXPORT(page_measurable) bool page_measurable(void)
 {
     const size_t pixels = meter_pixels(&meter);
 
-    if (!meter.exact) {
-        meter.exact = malloc(pixels * sizeof *meter.exact);
-        errors = malloc(pixels * 2 * sizeof *errors);
-        if (!meter.exact || !errors ||
-            !image_create(&meter.surfaces, meter.frame.width, meter.frame.height) ||
-            !image_create(&meter.exact_surfaces, meter.frame.width, meter.frame.height)) {
-            return false;
-        }
-    }
-    if (!meter_begin(&meter, &list)) {
+    meter.exact = malloc(pixels * sizeof *meter.exact);
+    errors = malloc(pixels * 2 * sizeof *errors);
+    if (!meter.exact || !errors ||
+        !image_create(&meter.surfaces, meter.frame.width, meter.frame.height) ||
+        !image_create(&meter.exact_surfaces, meter.frame.width, meter.frame.height) ||
+        !meter_begin(&meter, &list)) {
         return false;
     }
     meter_exact(&meter, &list, 1);
