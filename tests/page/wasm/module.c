@@ -180,7 +180,6 @@ EXPORT(page_event_costs) const unsigned char *page_event_costs(int stage, int ki
     return trace_costs[stage - 1][kind];
 }
 
-
 /* Prepares to measure the triangles, once after page_open: the exact answer for all of the frame.
  * False when there is no memory. */
 EXPORT(page_measurable) bool page_measurable(void)
