@@ -4,6 +4,18 @@
 #include <string.h>
 #include "tests/files/file.h"
 
+unsigned char *put_rgb(unsigned char *out, const struct image *image, int y)
+{
+    const uint32_t *row = image->pixels + (size_t)y * (size_t)image->stride;
+
+    for (int x = 0; x < image->width; x++) {
+        *out++ = (unsigned char)(row[x] >> 16);
+        *out++ = (unsigned char)(row[x] >> 8);
+        *out++ = (unsigned char)row[x];
+    }
+    return out;
+}
+
 typedef bool encoder(const struct image *image, unsigned char **bytes, size_t *size);
 
 /* The encoder that the path's ending asks for, or NULL. */

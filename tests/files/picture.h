@@ -25,4 +25,8 @@ bool image_path_valid(const char *path, struct error *error);
 bool ppm_encode(const struct image *image, unsigned char **bytes, size_t *size);
 bool png_encode(const struct image *image, unsigned char **bytes, size_t *size);
 
+/* Writes row y, three bytes a pixel: red, green, blue. Returns its end. */
+#define BYTES_PER_PIXEL 3
+unsigned char *put_rgb(unsigned char *out, const struct image *image, int y);
+
 #endif

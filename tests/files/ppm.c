@@ -9,7 +9,6 @@
 #include "common/vertex.h"
 
 #define CHANNEL_MAX 255
-#define BYTES_PER_PIXEL 3
 #define DIGITS_MAX 18 /* a number of so many digits fits a long long */
 
 bool texture_side_valid(int side)
@@ -167,12 +166,7 @@ bool ppm_encode(const struct image *image, unsigned char **bytes, size_t *size)
     unsigned char *out = *bytes + header_size;
 
     for (int y = 0; y < image->height; y++) {
-        for (int x = 0; x < image->width; x++) {
-            uint32_t pixel = image->pixels[(size_t)y * (size_t)image->stride + (size_t)x];
-            *out++ = (unsigned char)(pixel >> 16);
-            *out++ = (unsigned char)(pixel >> 8);
-            *out++ = (unsigned char)pixel;
-        }
+        out = put_rgb(out, image, y);
     }
     return true;
 }
