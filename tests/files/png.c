@@ -9,8 +9,8 @@
 #define FORMAT "\x08\x02\0\0\0" /* 8 bits, RGB; the other three fields have no choice for us */
 #define FORMAT_SIZE 5
 #define FILTER_NONE 0
-/* What a file has at most beside 9 bits for each byte of its rows, of which none takes more: the
- * signature, three chunks of which IHDR has 13 bytes of data, zlib's header, block marks, Adler-32. */
+/* No byte of the rows takes more than 9 bits. What a file has besides, at most: the signature, three
+ * chunks, 13 bytes of IHDR's, zlib's header, block marks, Adler-32. */
 #define REST_SIZE (SIGNATURE_SIZE + 3 * 12 + 13 + 16)
 
 #define MATCH_MIN 3
@@ -180,8 +180,8 @@ static void put_block(struct output *out, struct history *history, const unsigne
     put_bits(out, 0, 7); /* completes the last byte */
 }
 
-/* Packs `size` bytes, fewer than 2^32, as one zlib stream (RFC 1950, 1951). Returns its end, or NULL
- * when there is no memory. */
+/* Packs `size` bytes, fewer than 2^32, as one zlib stream (RFC 1950, 1951). Returns its end, or
+ * NULL when there is no memory. */
 static unsigned char *pack(const unsigned char *bytes, size_t size, unsigned char *out)
 {
     struct history *history = calloc(1, sizeof *history);

@@ -96,19 +96,18 @@ static const char *skip_space(const char *text)
     return text;
 }
 
-/* Holds a number to its limits as it is written. Rounding to float never carries it across a limit,
- * but may set it down on one: only there is the text read again, as a double. */
-static bool check_limits(const struct reader *reader, const struct field *field, float value,
+/* Holds a number to its limits as it is written: as a double, because rounding to float may set it
+ * down on a limit that it exceeds. */
+static bool check_limits(const struct reader *reader, const struct field *field, double value,
                          const char *text, const char *text_end)
 {
-    double exact = value == field->low || value == field->high ? strtod(text, NULL) : value;
-    int shown = text_end - text < VALUE_SHOWN ? (int)(text_end - text) : VALUE_SHOWN;
+    const int shown = text_end - text < VALUE_SHOWN ? (int)(text_end - text) : VALUE_SHOWN;
 
-    if (isnan(exact)) {
+    if (isnan(value)) {
         return error_set(reader->error, "%s:%zu: %s is %.*s: not a number", reader->path,
                          reader->line, field->name, shown, text);
     }
-    if (exact < field->low || exact > field->high) {
+    if (value < field->low || value > field->high) {
         return error_set(reader->error, "%s:%zu: %s is %.*s: outside the limits, %g to %g",
                          reader->path, reader->line, field->name, shown, text, field->low,
                          field->high);
@@ -123,14 +122,15 @@ static bool parse_vertex(const struct reader *reader, const char *text, struct v
     for (size_t i = 0; i < FIELD_COUNT; i++) {
         char *end;
         text = skip_space(text);
-        values[i] = strtof(text, &end);
-        /* `1-2` is not two numbers, though strtof could go on behind the first. */
+        const double value = strtod(text, &end);
+        /* `1-2` is not two numbers, though strtod could go on behind the first. */
         if (end == text || (*end != '\0' && !isspace((unsigned char)*end))) {
             return fail(reader, "not five numbers, x y z u v");
         }
-        if (!check_limits(reader, &fields[i], values[i], text, end)) {
+        if (!check_limits(reader, &fields[i], value, text, end)) {
             return false;
         }
+        values[i] = (float)value;
         text = end;
     }
     if (*skip_space(text) != '\0') {

@@ -82,8 +82,8 @@ static void make_neighbours(struct judge_case *made, struct random *random)
     }
 }
 
-/* One triangle, or two neighbours. */
-static void make_places(struct judge_case *made, struct random *random)
+/* One triangle of one of the first kinds, or two neighbours. */
+static void make_places(struct judge_case *made, enum kind kind, struct random *random)
 {
     struct vertex *v = made->v[0];
     const bool upright = one_in(random, 2);
@@ -91,23 +91,23 @@ static void make_places(struct judge_case *made, struct random *random)
     made->count = 1;
     for (int i = 0; i < 3; i++) {
         place(&v[i], make_position(random, made->width), make_position(random, made->height), made);
-        if (made->kind == WHOLE && !one_in(random, 4)) {
+        if (kind == WHOLE && !one_in(random, 4)) {
             place(&v[i], random_int(random, 0, 1) * made->width - 0.5,
                   random_int(random, 0, 1) * made->height - 0.5, made);
         }
-        if (i > 0 && made->kind == TINY) {
+        if (i > 0 && kind == TINY) {
             place(&v[i], v[0].x + random_real(random, -3, 3), v[0].y + random_real(random, -3, 3),
                   made);
-        } else if (i > 0 && made->kind == FLAT) {
+        } else if (i > 0 && kind == FLAT) {
             const double more = random_int(random, 0, 255) / 256.0;
             place(&v[i], upright ? v[0].x + more : v[i].x, upright ? v[i].y : v[0].y + more, made);
         }
     }
-    if (made->kind == NEEDLE) {
+    if (kind == NEEDLE) {
         place_near(&v[1], v[0], v[0], random, made);
-    } else if (made->kind == SLIVER) {
+    } else if (kind == SLIVER) {
         place_near(&v[2], v[0], v[1], random, made);
-    } else if (made->kind == NEIGHBOURS) {
+    } else if (kind == NEIGHBOURS) {
         make_neighbours(made, random);
     }
 }
@@ -226,10 +226,9 @@ static void make_half_size(struct judge_case *made, struct random *random)
 
 void case_shape(struct random *random, struct vertex v[3], int width, int height)
 {
-    struct judge_case one = {.kind = (enum kind)random_int(random, ORDINARY, WHOLE),
-                             .width = width, .height = height};
+    struct judge_case one = {.width = width, .height = height};
 
-    make_places(&one, random);
+    make_places(&one, (enum kind)random_int(random, ORDINARY, WHOLE), random);
     memcpy(v, one.v[0], sizeof one.v[0]);
 }
 
@@ -300,20 +299,24 @@ static void make_attributes(struct judge_case *made, struct random *random)
     }
 }
 
+static void place_on_sixteenths(struct judge_case *made)
+{
+    for (int i = 0; i < 3; i++) {
+        struct vertex *v = &made->v[0][i];
+        place(v, floor(v->x * 16 + 0.5) / 16, floor(v->y * 16 + 0.5) / 16, made);
+    }
+}
+
 /* One vertex on a pixel's centre and its u on the border of two texels, both inside its range. */
 static void make_tie(struct judge_case *made, struct random *random)
 {
     struct vertex *v = made->v[0];
 
     made->texture_width = made->texture_height = 256;
-    made->kind = ORDINARY;
-    make_places(made, random);
-    made->kind = TIE;
+    make_places(made, ORDINARY, random);
     case_depths(random, v, random_int(random, 0, 4));
     case_texels(random, v, 0, 31.5);
-    for (int i = 0; i < 3; i++) {
-        place(&v[i], floor(v[i].x * 16 + 0.5) / 16, floor(v[i].y * 16 + 0.5) / 16, made);
-    }
+    place_on_sixteenths(made);
     place(&v[0], random_int(random, 0, made->width - 1), random_int(random, 0, made->height - 1),
           made);
     v[0].u = 10.5f;
@@ -335,7 +338,7 @@ static bool is_fair(const struct vertex v[3])
             return false;
         }
     }
-    return longest <= 1024 && area >= longest;
+    return longest <= FAIR_SIDE && area >= longest;
 }
 
 /* Every second one is as thin as it may be. */
@@ -346,24 +349,20 @@ static void make_fair(struct judge_case *made, struct random *random)
     made->width = made->height = made->texture_width = made->texture_height = FAIR_SIDE;
     made->count = 1;
     do {
-        made->kind = ORDINARY;
-        make_places(made, random);
+        make_places(made, ORDINARY, random);
         if (one_in(random, 2)) {
             const double t = random_real(random, 0, 1), off = random_real(random, 1, 2);
             const double x = (double)v[1].x - v[0].x, y = (double)v[1].y - v[0].y;
             place(&v[2], v[0].x + t * x - off * y / hypot(x, y),
                   v[0].y + t * y + off * x / hypot(x, y), made);
         }
-        made->kind = FAIR;
         case_depths(random, v, 4);
         if (one_in(random, 2)) {
             v[0].z = (float)random_real(random, 1, 50);
             v[1].z = v[0].z * 20 * 0.999999f;
         }
         case_texels(random, v, -256, 256);
-        for (int i = 0; i < 3; i++) {
-            place(&v[i], floor(v[i].x * 16 + 0.5) / 16, floor(v[i].y * 16 + 0.5) / 16, made);
-        }
+        place_on_sixteenths(made);
     } while (!is_fair(v));
 }
 
@@ -379,7 +378,7 @@ void case_of_kind(struct judge_case *made, enum kind kind, struct random *random
     case HALF_SIZE: make_half_size(made, random); break;
     case TIE: make_tie(made, random); break;
     case FAIR: make_fair(made, random); break;
-    default: make_places(made, random);
+    default: make_places(made, kind, random);
     }
     made->shared = kind == GRID || kind == FAN;
     made->covers = made->shared || kind == T_JUNCTIONS;

@@ -29,12 +29,12 @@ int stability_list(char paths[STABILITY_CASES_MAX][128], struct error *error)
     return fit ? count : -1;
 }
 
-#define TOLERANCE_MOST 0.5 /* of the value: beyond it nothing would be said */
+#define TOLERANCE_MOST 50 /* per cent: beyond it nothing would be said */
 
 bool expectation_parse(const char *text, const struct measure *measure,
                        struct expectation *expected)
 {
-    double value, tolerance = 0;
+    double value, percent = 0;
     int end = 0;
 
     if (strcmp(text, "holds") == 0) {
@@ -45,26 +45,11 @@ bool expectation_parse(const char *text, const struct measure *measure,
         *expected = (struct expectation){EXPECT_NOTHING, 0, 0};
         return true;
     }
-    if (sscanf(text, "at most %lf%n", &value, &end) == 1 && !text[end]) {
-        *expected = (struct expectation){EXPECT_HOLDS, 0, value};
-        return value > 0;
-    }
-    if (sscanf(text, "%lf%n", &value, &end) != 1) {
+    if (sscanf(text, "%lf%n +- %lf %%%n", &value, &end, &percent, &end) < 1 || text[end]) {
         return false;
     }
-    text += end;
-    end = 0;
-    if (*text && sscanf(text, " +- %lf%n", &tolerance, &end) != 1) {
-        return false;
-    }
-    text += end;
-    if (strcmp(text, " %") == 0) {
-        tolerance *= fabs(value) / 100;
-        text = "";
-    }
-    *expected = (struct expectation){EXPECT_VALUE, value, tolerance};
-    return !*text && tolerance >= 0 && fabs(value) > measure->holds &&
-           tolerance <= TOLERANCE_MOST * fabs(value);
+    *expected = (struct expectation){EXPECT_VALUE, value, fabs(value) * percent / 100};
+    return fabs(value) > measure->holds && percent >= 0 && percent <= TOLERANCE_MOST;
 }
 
 const char *stability_verdict(struct expectation expected, double value)

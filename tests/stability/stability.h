@@ -10,10 +10,8 @@
  *
  * An expectation is
  *   holds             at most what the measure allows
- *   at most 0.01
  *   18                exactly
- *   0.2 +- 30 %       or +- a number. At most half the value: a stage that is said to fail must
- *                     fail by about that much
+ *   0.2 +- 30 %       at most 50 %: a stage that is said to fail must fail by about that much
  *   draws nothing     there is nothing to measure */
 #ifndef TESTS_STABILITY_H
 #define TESTS_STABILITY_H

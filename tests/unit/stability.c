@@ -40,17 +40,16 @@ static void test_judge(void)
         double value;
     } cases[] = {
         {"holds", "holds", 0.002},          {"holds", "unexpected", 0.0021},
-        {"holds", "unexpected", NAN},       {"at most 1", "holds", -1},
-        {"at most 1", "unexpected", -1.5},  {"18", "fails", 18},
+        {"holds", "unexpected", NAN},       {"18", "fails", 18},
         {"18", "unexpected", 17},           {"1 +- 50 %", "fails", 1.5},
         {"1 +- 50 %", "unexpected", 1.51},  {"1 +- 50 %", "unexpected", NAN},
-        {"-2 +- .5", "fails", -1.5},        {"-2 +- .5", "unexpected", 2},
+        {"-2 +- 25 %", "fails", -1.5},      {"-2 +- 25 %", "unexpected", 2},
         {"draws nothing", "unexpected", 0}, {"draws nothing", "draws nothing", NAN},
         {"", NULL, 0},                      {"hold", NULL, 0},
-        {"at most", NULL, 0},               {"at most 0", NULL, 0},
         {"1 +-", NULL, 0},                  {"1 +- 2 % more", NULL, 0},
-        {"1 +- 51 %", NULL, 0},             {"1 +- -1", NULL, 0},
-        {"0 +- 0", NULL, 0},                {"0.001", NULL, 0},
+        {"1 +- 51 %", NULL, 0},             {"1 +- -1 %", NULL, 0},
+        {"1 +- .5", NULL, 0},               {"18 more", NULL, 0},
+        {"0 +- 0 %", NULL, 0},              {"0.001", NULL, 0},
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
