@@ -22,18 +22,15 @@ static const char style_sheet[] =
     ".filled{fill:currentColor;stroke:#fff;stroke-width:.2px}\n"
     ".hollow{fill:#fff;stroke:currentColor;stroke-width:.45px}\n"
     ".ink{color:#1f2328}\n.soft{color:#59636e}\n"
-    ".s0{color:#0067a5}\n.s1{color:#b94a00}\n.s2{color:#00755a}\n"
-    ".s3{color:#a3407c}\n.s4{color:#6f6400}\n.s5{color:#4a4f57}\n"
+    ".s0{color:#0067a5}\n.s1{color:#b94a00}\n.s2{color:#00755a}\n.s3{color:#4a4f57}\n"
     ".s0.curve{stroke-dasharray:5 3}\n.s1.curve{stroke-dasharray:2 3}\n"
-    ".s2.curve{stroke-dasharray:8 3}\n.s3.curve{stroke-dasharray:7 3 2 3}\n"
-    ".s4.curve{stroke-dasharray:4 2 1 2 1 2}\n.s5.curve{stroke-dasharray:1 2}\n"
+    ".s2.curve{stroke-dasharray:8 3}\n.s3.curve{stroke-dasharray:1 2}\n"
     "@media (prefers-color-scheme:dark){\n"
     "text,.filled{stroke:#0d1117}\n.paper,.hollow{fill:#0d1117}\n.band{fill:#1d242d}\n"
     ".grid{stroke:#262d36}\n.frame{stroke:#6e7781}\n.leader{stroke:#9da7b1}\n"
     ".floor{stroke:#e6edf3}\n"
     ".ink{color:#e6edf3}\n.soft{color:#9da7b1}\n"
-    ".s0{color:#56b4e9}\n.s1{color:#ff9d5c}\n.s2{color:#2fc79c}\n"
-    ".s3{color:#e79ac6}\n.s4{color:#f0e442}\n.s5{color:#c3cad2}\n"
+    ".s0{color:#56b4e9}\n.s1{color:#ff9d5c}\n.s2{color:#2fc79c}\n.s3{color:#c3cad2}\n"
     "}\n";
 
 /* XML knows five characters by name and most control characters not at all. */
@@ -125,24 +122,21 @@ void svg_rect(FILE *out, struct box box, const char *class)
 }
 
 /* Shapes of about the same area in a circle of radius 1 or a little more: circle, square, triangle,
- * diamond, triangle on its tip, cross. They are scaled to size, and their outlines with them: the
- * style sheet's widths are shares of the radius, as not every renderer can leave outlines alone. */
+ * cross. They are scaled to size, and their outlines with them: the style sheet's widths are shares
+ * of the radius, as not every renderer can leave outlines alone. */
 static const char *const shapes[SVG_SERIES_COUNT] = {
     "M-1,0A1,1 0 1 1 1,0A1,1 0 1 1 -1,0Z",
     "M-.9,-.9H.9V.9H-.9Z",
     "M0,-1.2L1.15,.85H-1.15Z",
-    "M0,-1.25L1.25,0L0,1.25L-1.25,0Z",
-    "M0,1.2L1.15,-.85H-1.15Z",
     "M-.4,-1.1H.4V-.4H1.1V.4H.4V1.1H-.4V.4H-1.1V-.4H-.4Z",
 };
 
 void svg_mark(FILE *out, struct point at, int series, bool filled, const char *tooltip)
 {
-    int style = series % SVG_SERIES_COUNT;
     fprintf(out,
             "<path class=\"s%d %s\" transform=\"translate(%.1f %.1f) scale(%.0f)\" d=\"%s\">",
-            style, filled ? "filled" : "hollow", at.x, at.y,
-            filled ? SVG_MARK_RADIUS : SVG_HOLLOW_RADIUS, shapes[style]);
+            series, filled ? "filled" : "hollow", at.x, at.y,
+            filled ? SVG_MARK_RADIUS : SVG_HOLLOW_RADIUS, shapes[series]);
     if (tooltip) {
         fputs("<title>", out);
         write_escaped(out, tooltip);

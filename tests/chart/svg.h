@@ -19,12 +19,12 @@ struct box {
 
 /* Series have a colour, a dash pattern and a mark's shape each, so that none rests on colour
  * alone. Colours are after Okabe and Ito's palette, darkened or lightened to be read as text. */
-#define SVG_SERIES_COUNT 6
+#define SVG_SERIES_COUNT 4
 
 struct text_style {
     double size;        /* pixels from line to line of the font's design */
     const char *anchor; /* start, middle or end: which part of the text stands at its x */
-    const char *class;  /* ink, soft, or s0 to s5; "bold" may follow */
+    const char *class;  /* ink, soft, or s0 to s3; "bold" may follow */
 };
 
 /* Opens a picture that says what it is, to those who do not see it too. */
@@ -37,7 +37,7 @@ double svg_text_width(const char *text, const struct text_style *style);
 /* Writes one line of text, its baseline at `at`. */
 void svg_text(FILE *out, struct point at, const struct text_style *style, const char *text);
 
-/* Classes of shapes: grid, frame, band, floor, leader, or s0 to s5 with path or curve. */
+/* Classes of shapes: grid, frame, band, floor, leader, or s0 to s3 with path or curve. */
 void svg_polyline(FILE *out, const struct point *points, size_t count, const char *class);
 void svg_line(FILE *out, struct point a, struct point b, const char *class);
 void svg_arrow(FILE *out, struct point a, struct point b, double gap); /* free at both ends */

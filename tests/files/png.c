@@ -9,8 +9,8 @@
 #define FORMAT "\x08\x02\0\0\0" /* 8 bits, RGB; the other three fields have no choice for us */
 #define FORMAT_SIZE 5
 #define FILTER_NONE 0
-/* No byte of the rows takes more than 9 bits. What a file has besides, at most: the signature, three
- * chunks, 13 bytes of IHDR's, zlib's header, block marks, Adler-32. */
+/* No byte of the rows takes more than 9 bits. What a file has besides, at most: the signature,
+ * three chunks, 13 bytes of IHDR's, zlib's header, block marks, Adler-32. */
 #define REST_SIZE (SIGNATURE_SIZE + 3 * 12 + 13 + 16)
 
 #define MATCH_MIN 3

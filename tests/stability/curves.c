@@ -16,18 +16,15 @@ static struct series *series_add(struct curve *curve, const char *name, int styl
     return series;
 }
 
-/* The curve's stages, as far as they are here, and a series for each, stages 1 to 4 always in the
- * same colour. */
+/* The curve's stages, and a series for each, always in the same colour. */
 static struct stability_stages series_of_stages(struct curve *curve)
 {
     struct stability_stages chosen = {.count = 0};
 
     for (int i = 0; i < 4 && curve->stages[i]; i++) {
         const struct stage *stage = stage_find(curve->stages[i]);
-        if (stage) {
-            chosen.items[chosen.count++] = stage;
-            series_add(curve, stage->name, stage - stages < 4 ? (int)(stage - stages) : 4, false);
-        }
+        chosen.items[chosen.count++] = stage;
+        series_add(curve, stage->name, (int)(stage - stages), false);
     }
     return chosen;
 }

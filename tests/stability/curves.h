@@ -6,7 +6,7 @@
 
 #define CURVE_SERIES_MAX 8
 #define CURVE_POINTS_MAX 128
-#define STYLE_BOUND 5
+#define STYLE_BOUND 3 /* of a bound that belongs to no series */
 
 struct series {
     const char *name; /* of its CSV column; up to a _ it stands beside its line */
