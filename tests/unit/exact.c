@@ -171,7 +171,7 @@ void test_exact(void)
 
     check(agree_in_frames(&random, SMALL_SIDE, SMALL_TRIANGLES, 1),
           "exact coverage, every pixel of small frames", "see above");
-    check(agree_in_frames(&random, FRAME_SIDE_MAX, LARGE_TRIANGLES, 50),
+    check(agree_in_frames(&random, FRAME_SIDE_MAX, LARGE_TRIANGLES, 100),
           "exact coverage, some rows of large frames", "see above");
     test_rays(&random);
     test_rounding();

@@ -18,22 +18,21 @@
 
 const char *test_path(const char *name)
 {
-    static char paths[4][PATH_SIZE];
-    static unsigned turn;
-    char *path = paths[turn % 4];
+    static char path[PATH_SIZE];
+    static bool cleared; /* of an earlier run's files */
 
-    if (turn++ == 0 && system("rm -rf \"$TEXMAP_BUILD/test_files\"") != 0) { /* an earlier run's */
+    if (!cleared && system("rm -rf \"$TEXMAP_BUILD/test_files\"") != 0) {
         exit(2);
     }
+    cleared = true;
     if (snprintf(path, PATH_SIZE, "%s/test_files/%s", getenv("TEXMAP_BUILD"), name) >= PATH_SIZE) {
         fprintf(stderr, "test: the path of the build folder is too long\n");
         exit(2);
     }
-    for (char *slash = path + 1; (slash = strchr(slash, '/')); slash++) {
-        *slash = '\0';
-        mkdir(path, 0777); /* where this fails, so does the writing of the file */
-        *slash = '/';
-    }
+    char *slash = strrchr(path, '/');
+    *slash = '\0';
+    mkdir(path, 0777); /* where this fails, so does the writing of the file */
+    *slash = '/';
     return path;
 }
 

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* "FOLDER/NAME", FOLDER being test_files beside the programs; made where it is missing. The text
- * stays until the fourth call after. */
+ * stays until the next call. */
 const char *test_path(const char *name);
 
 /* Writes the file. Ends the program when that cannot be done. */

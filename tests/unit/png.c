@@ -74,20 +74,21 @@ static unsigned char *filtered(const struct image *image, size_t *size)
     return rows;
 }
 
-/* Does a zlib stream hold these bytes? */
+/* Does a zlib stream hold these bytes? Packed as gzip packs it, with their CRC and size behind it,
+ * gzip says whether it does. */
 static bool holds(const unsigned char *stream, size_t length, const unsigned char *bytes,
                   size_t size)
 {
     static const unsigned char gzip_header[10] = {0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 3};
     const uint32_t ends[2] = {crc32(bytes, size), (uint32_t)size};
-    const char *packed = test_path("stream.gz"), *plain = test_path("stream");
-    char command[2048];
+    const char *path = test_path("stream.gz");
+    char command[1024];
 
     if (length < 6 || stream[0] != 0x78 || (stream[0] << 8 | stream[1]) % 31 != 0 ||
         stream[1] & 0x20 || get_u32(stream + length - 4) != adler32(bytes, size)) {
         return false;
     }
-    FILE *file = fopen(packed, "wb");
+    FILE *file = fopen(path, "wb");
     if (file) {
         fwrite(gzip_header, 1, sizeof gzip_header, file);
         fwrite(stream + 2, 1, length - 6, file);
@@ -96,12 +97,9 @@ static bool holds(const unsigned char *stream, size_t length, const unsigned cha
         }
         fclose(file);
     }
-    test_put_file(plain, bytes, size);
-    snprintf(command, sizeof command, "gzip -t '%s' 2>&1 && gzip -dc '%s' | cmp -s - '%s'", packed,
-             packed, plain);
-    const bool same = system("command -v gzip > /dev/null") != 0 || system(command) == 0;
-    remove(packed);
-    remove(plain);
+    snprintf(command, sizeof command, "! command -v gzip > /dev/null || gzip -t '%s' 2>&1", path);
+    const bool same = system(command) == 0;
+    remove(path);
     return same;
 }
 

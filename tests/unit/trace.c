@@ -241,7 +241,11 @@ void test_trace(void)
         test_trace_triangle(&random, &triangle);
         test_one(&stages[i % 4], &triangle, &texture, i);
     }
+    for (const struct stage *stage = stages; stage->traced; stage++) {
+        struct triangle triangle;
+        test_trace_triangle(&random, &triangle);
+        test_trace_csv(stage, &triangle, &texture);
+    }
     test_trace_steps(&random, &texture);
     image_destroy(&texture);
-    test_trace_files();
 }

@@ -8,11 +8,11 @@
 /* A random triangle, no sliver, inside a frame of 80x48, for the coordinate texture. */
 void test_trace_triangle(struct random *random, struct triangle *triangle);
 
-/* The rest of the group: CSV and the table. */
-void test_trace_files(void);
+/* What the trace writes as CSV. */
+void test_trace_csv(const struct stage *stage, const struct triangle *triangle,
+                    const struct image *texture);
 
 /* The steps of stage 5's assembly. */
-struct image;
 void test_trace_steps(struct random *random, const struct image *texture);
 
 #endif

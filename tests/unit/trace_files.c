@@ -41,7 +41,7 @@ static bool same(double read, double value)
            (value == (double)(float)value && value != trunc(value) && (float)read == (float)value);
 }
 
-/* How many events of a kind; for TRACE_KINDS, of those that the CSV has a line for. */
+/* How many events of a kind. */
 static size_t count_events(const struct trace *trace, int kind)
 {
     size_t count = 0;
@@ -102,16 +102,14 @@ static void check_stores(const struct trace *trace, const struct csv *csv)
           "%d are not, %d too few", wrong, drawn);
 }
 
-static void test_writers(const struct stage *stage, struct random *random,
-                         const struct image *texture)
+void test_trace_csv(const struct stage *stage, const struct triangle *triangle,
+                    const struct image *texture)
 {
-    struct triangle triangle;
     struct trace trace;
     struct error error;
     struct csv csv;
 
-    test_trace_triangle(random, &triangle);
-    if (!check(trace_triangle(stage, &triangle, texture, 80, 48, &trace) && trace_steps(&trace),
+    if (!check(trace_triangle(stage, triangle, texture, 80, 48, &trace) && trace_steps(&trace),
                "memory", "none")) {
         exit(2);
     }
@@ -126,18 +124,4 @@ static void test_writers(const struct stage *stage, struct random *random,
     }
     free(text);
     trace_destroy(&trace);
-}
-
-void test_trace_files(void)
-{
-    struct random random = random_start(0x7B);
-    struct image texture;
-
-    if (!check(texture_create(&texture, TEXTURE_COORD), "memory for a texture", "none")) {
-        return;
-    }
-    for (int i = 0; stages[i].traced; i++) {
-        test_writers(&stages[i], &random, &texture);
-    }
-    image_destroy(&texture);
 }
