@@ -9,14 +9,9 @@
 #include "common/image.h"
 #include "tests/unit/check.h"
 
-#define ASM_TEXT 1024
+#define ASM_TEXT 1024 /* for a test to say what is wrong */
 #define CALL_TEXT 160
 #define CALL_ARGUMENTS 6 /* so many travel in registers */
-
-/* Does stage5_draw_segments keep its promises, in about `segments` segments? If not, `text` says
- * where. */
-bool asm_guards(char text[ASM_TEXT]);
-bool asm_segments(long segments, char text[ASM_TEXT]);
 
 /* Does a call leave alone what the System V calling convention for x86-64 says it must? Calls
  * function(arguments[0], ...), integers or pointers: a 32-bit one may have junk in its upper half.

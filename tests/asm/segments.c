@@ -1,12 +1,15 @@
-/* stage5_draw_segments against its twin in C: segments of every length, at every alignment, with
+/* The group `asm`: stage5_draw_segments against its twin in C: segments of every length, at every alignment, with
  * every texture, in memory with guard pages, by a caller that looks at what came back. The
  * structures are stage 5's own: its source is included, and the triangle's function has to have
- * another name than the one in the program. */
+ * another name than the one in the program. TEXMAP_SEGMENTS in the environment: how many segments,
+ * at least, are drawn both ways. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "tests/asm/asm.h"
 #include "tests/judge/judge.h"
+#include "tests/unit/test.h"
 
 #ifdef TEXMAP_STAGE5
 
@@ -20,6 +23,9 @@
 #define KEY_FACTOR 2654435761u /* odd: so all products mod 2^32 differ */
 #define DEPTH_RATIO_LOG2 16 /* from DEPTH_MIN to DEPTH_MAX */
 #define GUARD_CALLS 40
+
+#define SEGMENTS_VARIABLE "TEXMAP_SEGMENTS"
+#define SEGMENTS 10000000 /* about 4 s */
 
 /* A call's arguments, and the frames: a segment lies in each row. */
 struct job {
@@ -198,7 +204,7 @@ static bool same(struct job *job, char text[ASM_TEXT])
     return failed(job, row < job->count ? row : 0, text);
 }
 
-bool asm_segments(long segments, char text[ASM_TEXT])
+static bool segments_agree(long segments, char text[ASM_TEXT])
 {
     struct random random = random_start(501);
     long drawn = 0;
@@ -219,7 +225,7 @@ bool asm_segments(long segments, char text[ASM_TEXT])
 }
 
 /* A frame of every width to a segment and a half, with a guard page beside each row. */
-bool asm_guards(char text[ASM_TEXT])
+static bool calls_hold(char text[ASM_TEXT])
 {
     struct random random = random_start(502);
     bool hold = true;
@@ -237,6 +243,30 @@ bool asm_guards(char text[ASM_TEXT])
         guarded_destroy(&memory);
     }
     return hold;
+}
+
+void test_asm(void)
+{
+    const char *wanted = getenv(SEGMENTS_VARIABLE);
+    const long segments = wanted ? atol(wanted) : SEGMENTS;
+    char text[ASM_TEXT] = "";
+
+    check(segments > 0, SEGMENTS_VARIABLE " is a whole number above 0", "%s", wanted);
+    check_script("sh tests/asm/object.sh");
+    /* Where that fails the rest is not safe to try: what it broke may be this program. */
+    if (check(calls_hold(text),
+              "span.S: calls touch frame and texture only, and keep the calling convention", "%s",
+              text)) {
+        check(segments_agree(segments, text), "span.S: segments are stage 4's, bit for bit", "%s",
+              text);
+    }
+}
+
+#else
+
+void test_asm(void)
+{
+    check_skip("stage 5's assembly", "it is for x86-64 only");
 }
 
 #endif

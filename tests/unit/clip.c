@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "tests/exact/exact.h"
+#include "tests/judge/generate.h"
 #include "tests/unit/check.h"
 #include "tests/unit/test.h"
 
@@ -61,52 +62,30 @@ long outside_limits(const struct triangle_list *list, const struct view *view)
     return outside;
 }
 
+/* Triangles of a frame of 4096x1000, seen as they are; and of 64x48, moved. */
 static void test_inside(void)
 {
-    const float right = FRAME_SIDE_MAX - 0.5f, bottom = 999.5f;
-    const struct view view = {.width = FRAME_SIDE_MAX, .height = 1000};
+    static const struct view views[] = {{FRAME_SIDE_MAX, 1000, 0, 0}, {80, 80, 2.25, 10.5}};
     struct random random = random_start(STREAM_INSIDE);
-    struct triangle_list given = {0}, clipped = {0};
 
-    triangle_list_add(&given, &(struct triangle){
-        .v = {{-0.5f, -0.5f, DEPTH_MIN, 0, 0}, {right, -0.5f, DEPTH_MAX, 1, 0},
-              {right, bottom, 3, 0, 1}}});
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 2000; i++) {
+        const struct view *view = &views[i % 2];
         struct triangle triangle = {.texture = TEXTURE_CRATE};
+        const struct triangle_list given = {.items = &triangle, .count = 1};
+        struct triangle_list list = {0};
+        case_shape(&random, triangle.v, i % 2 ? 64 : FRAME_SIDE_MAX, i % 2 ? 48 : 1000);
+        case_depths(&random, triangle.v, 16);
+        case_texels(&random, triangle.v, -TEXEL_MAX, TEXEL_MAX);
+        clip_screen_triangles(&given, view, &list);
         for (int k = 0; k < 3; k++) {
-            triangle.v[k] = (struct vertex){
-                round_to_grid((float)random_real(&random, -0.5, right)),
-                round_to_grid((float)random_real(&random, -0.5, bottom)),
-                (float)random_real(&random, DEPTH_MIN, 100),
-                (float)random_real(&random, -TEXEL_MAX, TEXEL_MAX),
-                (float)random_real(&random, -TEXEL_MAX, TEXEL_MAX)};
+            triangle.v[k].x += (float)view->shift_x;
+            triangle.v[k].y += (float)view->shift_y;
         }
-        triangle_list_add(&given, &triangle);
+        check(list.count == 1 && memcmp(&list.items[0], &triangle, sizeof triangle) == 0,
+              "a triangle inside keeps its bits, moved as the view says", "triangle %d of %dx%d", i,
+              view->width, view->height);
+        triangle_list_destroy(&list);
     }
-    clip_screen_triangles(&given, &view, &clipped);
-    bool same = clipped.count == given.count;
-    for (size_t i = 0; same && i < given.count; i++) {
-        same = memcmp(&given.items[i], &clipped.items[i], sizeof given.items[i]) == 0;
-    }
-    check(same, "a triangle inside keeps its bits", "%zu became %zu", given.count, clipped.count);
-    triangle_list_destroy(&given);
-    triangle_list_destroy(&clipped);
-}
-
-static void test_shift(void)
-{
-    static const struct view view = {64, 48, 2.25, -3.5};
-    struct triangle triangle = {.v = {{9, 9, 1, 0, 0}, {20, 9, 2, 5, 0}, {9, 30, 3, 0, 5}}};
-    const struct triangle_list given = {.items = &triangle, .count = 1};
-    struct triangle_list list = {0};
-    bool moved = clip_screen_triangles(&given, &view, &list) && list.count == 1;
-
-    for (int k = 0; moved && k < 3; k++) {
-        moved = list.items[0].v[k].x == triangle.v[k].x + 2.25f &&
-                list.items[0].v[k].y == triangle.v[k].y - 3.5f;
-    }
-    check(moved, "a view moves all that it shows", "by 2.25, -3.5");
-    triangle_list_destroy(&list);
 }
 
 enum { CELLS = 24 };
@@ -399,7 +378,6 @@ static void test_huge(void)
 void test_clip(void)
 {
     test_inside();
-    test_shift();
     test_watertight();
     test_space();
     test_shared_edge();
