@@ -73,13 +73,11 @@ static void test_bad_cases(const struct stability_stages *chosen)
     for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
         struct stability_case row;
         struct error error = {""};
-        FILE *file = fopen(path, "w");
-        if (check(file, "a file can be written", "%s", path)) {
-            fprintf(file, "%s0 0 1 0 0\n4 0 1 4 0\n0 4 1 0 4\n", heads[i]);
-            fclose(file);
-            check(!stability_open(&row, path, chosen, &error) && strstr(error.text, path),
-                  "a case that says too little is an error", "head %zu: %s", i, error.text);
-        }
+        char text[256];
+        snprintf(text, sizeof text, "%s0 0 1 0 0\n4 0 1 4 0\n0 4 1 0 4\n", heads[i]);
+        test_put_file(path, text, strlen(text));
+        check(!stability_open(&row, path, chosen, &error) && strstr(error.text, path),
+              "a case that says too little is an error", "head %zu: %s", i, error.text);
     }
     remove(path);
 }

@@ -27,37 +27,6 @@ static void test_no_symmetry(const struct image *texture, int id)
     }
 }
 
-/* The sum of the differences between the texels on the two sides of column or row `place`. */
-static long border(const struct image *texture, bool column, int place)
-{
-    const int before = (place + LAST) % TEXTURE_SIDE;
-    long sum = 0;
-
-    for (int i = 0; i < 3 * TEXTURE_SIDE; i++) {
-        const int k = i / 3, shift = 8 * (i % 3);
-        const uint32_t a = column ? texel(texture, before, k) : texel(texture, k, before);
-        const uint32_t b = column ? texel(texture, place, k) : texel(texture, k, place);
-        sum += labs((long)(a >> shift & 255) - (long)(b >> shift & 255));
-    }
-    return sum;
-}
-
-/* Tiles and bricks repeat their pattern every 64 texels, so the seam must look like the borders at
- * 64, 128 and 192: noise makes them differ by a few percent. */
-static void test_seams(const struct image *texture, int id)
-{
-    for (int column = 0; column <= 1; column++) {
-        long largest = 0;
-        for (int place = 64; place < TEXTURE_SIDE; place += 64) {
-            const long sum = border(texture, column, place);
-            largest = sum > largest ? sum : largest;
-        }
-        check(4 * border(texture, column, 0) <= 5 * largest,
-              "tiles and bricks repeat without a seam", "texture %d, %s", id,
-              column ? "columns" : "rows");
-    }
-}
-
 /* Texel by texel: all are opaque; coord says where it lies; the checker's neighbours across and
  * below differ only where a square of 16 ends. */
 static void test_texels(const struct image *texture, int id)
@@ -91,9 +60,6 @@ void test_textures(void)
         test_texels(&texture, id);
         if (id != TEXTURE_COORD) {
             test_no_symmetry(&texture, id);
-        }
-        if (id == TEXTURE_TILES || id == TEXTURE_BRICKS) {
-            test_seams(&texture, id);
         }
         image_destroy(&texture);
     }
