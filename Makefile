@@ -226,8 +226,8 @@ sanitize:
 		$(MAKE) -s BUILD=$(BUILD)/sanitize CC=clang CFLAGS='$(SANITIZE)' test
 
 #: make torture       ten million random triangles through all stages, the promises as assertions
-torture: $(BUILD)/torture
-	$(BUILD)/torture 10000000
+torture: $(BUILD)/test
+	@TEXMAP_TRIANGLES=10000000 $(BUILD)/test gates
 
 #: make fuzz          libFuzzer on the readers and on all stages, a minute each (FUZZ_SECONDS=60)
 FUZZ_SECONDS = 60

@@ -1,5 +1,7 @@
 /* The group `gates`: random triangles, and those of the scenes, against what each stage promises.
- * TEXMAP_STAGE=NAME tries one stage alone, TEXMAP_CASE=K the case of that number alone. */
+ * TEXMAP_STAGE=NAME tries one stage alone, TEXMAP_CASE=K the case of that number alone, and
+ * TEXMAP_TRIANGLES=N so many random triangles of all kinds: make torture. */
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,6 +20,7 @@
 #define LARGEST_CASES 4
 #define SHIFT_ONE 64        /* places a pixel: every fourth one is on stage 3's grid */
 #define SHIFTED_TRIANGLES 2
+#define PROGRESS 1000000 /* triangles from one line to the next */
 
 static void check_stage(bool holds, const struct stage *stage, const char *what, const char *text)
 {
@@ -138,9 +141,31 @@ static void test_stage(struct judge *judge, const struct stage *stage)
     }
 }
 
+static void test_many(struct judge *judge, long long count)
+{
+    char text[JUDGE_TEXT] = "";
+    struct judge_case one;
+    bool holds = true;
+    long long done = 0;
+    uint64_t k = 0;
+
+    for (; holds && done < count; k++) {
+        case_make(&one, k);
+        holds = judge_stages(judge, &one, text);
+        if (done / PROGRESS != (done + one.count) / PROGRESS) {
+            printf("%lld triangles\n", done + one.count);
+            fflush(stdout);
+        }
+        done += one.count;
+    }
+    check(holds && done > 0, "every promise holds: many random triangles",
+          "%s\n     with TEXMAP_CASE=%" PRIu64, text, k - 1);
+}
+
 void test_gates(void)
 {
     const char *only = getenv("TEXMAP_STAGE"), *number = getenv("TEXMAP_CASE");
+    const char *triangles = getenv("TEXMAP_TRIANGLES");
     char text[JUDGE_TEXT] = "";
     struct judge judge;
     struct judge_case one;
@@ -150,6 +175,8 @@ void test_gates(void)
     } else if (number) {
         case_make(&one, strtoull(number, NULL, 10));
         check(judge_stages(&judge, &one, text), "every promise holds", "%s", text);
+    } else if (triangles) {
+        test_many(&judge, atoll(triangles));
     } else {
         for (const struct stage *stage = stages; stage->name; stage++) {
             if (!only || strcmp(stage->name, only) == 0) {
