@@ -12,26 +12,6 @@ stage=stage3_fixed28_4
 build=$1
 compile=$(cat "$build/flags")
 
-# field NAME...: of the CSV on standard input, which has one row.
-field() {
-    awk -F, -v names="$*" '
-        /^#/ { next }
-        !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
-        {
-            count = split(names, name, " ")
-            for (i = 1; i <= count; i++) printf "%s%s", $at[name[i]], i < count ? "," : "\n"
-        }'
-}
-
-# accuracy FOLDER CASE FIELD...: of the changed stage.
-accuracy() {
-    folder=$1
-    case=$2
-    shift 2
-    "$folder/texmap" accuracy --stage mine --triangles "tests/cases/$case.tri" \
-        --csv "$folder/$case.csv" > /dev/null && field "$@" < "$folder/$case.csv"
-}
-
 # measure FOLDER BUT: a line of the results.
 measure() {
     tree=$1
@@ -45,23 +25,27 @@ measure() {
     for try in 1 2 3; do
         sh tests/bench/compare.sh "$build" . "$tree" 3 >> "$tree/compare.txt" || return 2
     done
-    jitter=$(accuracy "$tree" swim jitter_rms) || return 2
-    drift=$(accuracy "$tree" drift_4096 position_max ruler_step) || return 2
-    outside=$(accuracy "$tree" borders wrong_texel_pct pixels) || return 2
-    echo "$2,$jitter,$drift,$outside" | awk -F, -v OFS=, '
-        # scene, pixels that differ, wrong texels of both, position of both, ns of both, ...
+    for case in swim drift_4096 borders; do
+        "$tree/texmap" accuracy --stage mine --triangles tests/cases/$case.tri \
+            --csv "$tree/$case.csv" > /dev/null || return 2
+    done
+    awk -F, -v OFS=, -v but="$2" '
         function least(a, b) { return a == "" || b < a ? b : a }
-        FILENAME != "-" {
-            if ($0 !~ /^wall /) next
+        FNR == 1 { columns = 0 }
+        /^wall / { # scene, pixels that differ, wrong texels of both, position of both, ns of both
             gsub(/< /, "<")
             split($0, part, " +")
             wrong = part[4]
             before = least(before, part[7] + 0)
             after = least(after, part[8] + 0)
-            next
         }
-        { print $1, $2, wrong, $3, $4, $5 * $6 / 100, before / after }
-        ' "$tree/compare.txt" -
+        /^#/ { next }
+        !columns { columns = NF; for (i = 1; i <= NF; i++) at[$i] = i; next }
+        FILENAME ~ /swim.csv$/ { jitter = $at["jitter_rms"] }
+        FILENAME ~ /drift_4096.csv$/ { drift = $at["position_max"] OFS $at["ruler_step"] }
+        FILENAME ~ /borders.csv$/ { outside = $at["wrong_texel_pct"] * $at["pixels"] / 100 }
+        END { print but, jitter, wrong, drift, outside, before / after }
+        ' "$tree/compare.txt" "$tree/swim.csv" "$tree/drift_4096.csv" "$tree/borders.csv"
 }
 
 made=$build/steps.csv

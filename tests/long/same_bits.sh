@@ -5,25 +5,12 @@
 set -u
 
 top=$2
-passed=0
-failed=0
-skipped=0
 
-pass() {
-    echo "$1"
-    passed=$((passed + 1))
-}
-
+# Tests print a line each: `ok WHAT`, `FAIL WHAT` or `SKIP WHAT`; they are counted at the end.
 # fail TEXT [LOG]: the end of that log is shown with it.
 fail() {
     echo "FAIL $1"
     [ $# -lt 2 ] || tail -n 12 "$2" | sed 's/^/     /'
-    failed=$((failed + 1))
-}
-
-skip() {
-    echo "SKIP $1"
-    skipped=$((skipped + 1))
 }
 
 # need PROGRAM PACKAGE
@@ -45,7 +32,7 @@ build() {
 # draws_the_same [EMULATOR]: does $folder/test draw the frames that are in tests/golden/?
 draws_the_same() {
     if "$@" "$folder/test" golden > "$folder/log" 2>&1; then
-        pass "$label: $(tail -n 1 "$folder/log")"
+        echo "ok $label: $(tail -n 1 "$folder/log")"
     else
         fail "$label: other frames" "$folder/log"
         return 1
@@ -53,16 +40,16 @@ draws_the_same() {
 }
 
 matrix() {
+    command -v gcc > /dev/null || command -v clang > /dev/null || fail 'there is no compiler'
     for line in 'gcc -O0' 'gcc -O1' 'gcc -O2' 'gcc -O3' 'gcc -Os' 'gcc -O2 -march=native' \
         'clang -O0' 'clang -O1' 'clang -O2' 'clang -O3' 'clang -Os'; do
         compiler=${line%% *}
         if ! command -v "$compiler" > /dev/null; then
-            skip "$line: $compiler is missing: Debian package $compiler"
+            echo "SKIP $line: $compiler is missing: Debian package $compiler"
         elif build "matrix/$(echo "$line" | tr -d ' =')" "$compiler" "${line#* }" test; then
             draws_the_same
         fi
     done
-    [ $((passed + failed)) -gt 0 ] || fail 'there is no compiler to build with'
 }
 
 # The reverse: can the digests fail? A fused a*b + c is rounded once instead of twice. It has to be
@@ -72,7 +59,7 @@ contract() {
     fused=$(echo "$KEPT" | sed 's/-ffp-contract=off/-ffp-contract=fast/')
     for feature in fma avx2 bmi2; do # of what -march=haswell may use
         if ! grep -qsw "$feature" /proc/cpuinfo; then
-            skip "$haswell: this processor has no $feature"
+            echo "SKIP $haswell: this processor has no $feature"
             return
         fi
     done
@@ -81,29 +68,23 @@ contract() {
     build contract/fast "$CC" "$haswell" test "KEPT=$fused" || return
     "$folder/test" golden > "$folder/log" 2>&1
     if [ $? -eq 1 ] && moved=$(grep -c '^FAIL golden: .* is what it was' "$folder/log"); then
-        pass "$label -ffp-contract=fast: noticed, $moved other frames"
+        echo "ok $label -ffp-contract=fast: noticed, $moved other frames"
     else
         fail "$label -ffp-contract=fast: not noticed" "$folder/log"
     fi
 }
 
-# same_file TEXT FILE: have both processors written the same, $top/native/FILE and $folder/FILE?
-same_file() {
-    if cmp "$top/native/$2" "$folder/$2"; then
-        pass "$1: the same file"
-    else
-        fail "$1: another file, $folder/$2"
-    fi
-}
-
-# same_exact NAME SOURCE...: is it the same exact answer?
+# same_exact NAME SOURCE...: have both processors drawn the same exact answer?
 same_exact() {
-    name=$1
+    name=$1.ppm
     shift
-    "$top/texmap" render --stage exact "$@" -o "$top/native/$name.ppm" 2>&1 &&
-        emulated render --stage exact "$@" -o "$folder/$name.ppm" > "$folder/log" 2>&1 ||
-        { fail "exact answer, $*" "$folder/log"; return; }
-    same_file "exact answer, $*" "$name.ppm"
+    if "$top/texmap" render --stage exact "$@" -o "$top/native/$name" > "$folder/log" 2>&1 &&
+        emulated render --stage exact "$@" -o "$folder/$name" >> "$folder/log" 2>&1 &&
+        cmp "$top/native/$name" "$folder/$name" >> "$folder/log" 2>&1; then
+        echo "ok exact answer, $*: the same"
+    else
+        fail "exact answer, $*" "$folder/log"
+    fi
 }
 
 emulated() {
@@ -132,14 +113,14 @@ says_so() {
         emulated "$command" $(arguments "$command") > "$folder/out" 2> "$folder/log"
         status=$?
         if [ "$status" -eq 0 ] && [ "$(grep -c 'stage 5' "$folder/log")" -eq 1 ]; then
-            pass "texmap $command: $(grep 'stage 5' "$folder/log")"
+            echo "ok texmap $command: $(grep 'stage 5' "$folder/log")"
         else
             fail "texmap $command: exit status $status, not one line on stage 5" "$folder/log"
         fi
     done
     emulated render --stage 5 --scene wall -o "$folder/5.png" > "$folder/log" 2>&1
     if [ $? -eq 2 ] && [ "$(wc -l < "$folder/log")" -eq 1 ] && [ ! -e "$folder/5.png" ]; then
-        pass "texmap render --stage 5: $(cat "$folder/log")"
+        echo "ok texmap render --stage 5: $(cat "$folder/log")"
     else
         fail 'texmap render --stage 5: not one line and exit status 2' "$folder/log"
     fi
@@ -156,7 +137,7 @@ aarch64() {
     # `cli` starts the program by its name, `bench` measures, and the others take minutes here.
     for group in files clip raster exact; do
         if qemu-aarch64-static "$folder/test" "$group" > "$folder/log" 2>&1; then
-            pass "tests of $group: $(tail -n 1 "$folder/log")"
+            echo "ok tests of $group: $(tail -n 1 "$folder/log")"
         else
             fail "tests of $group" "$folder/log"
         fi
@@ -171,6 +152,9 @@ aarch64() {
     says_so
 }
 
-"$1"
-echo "$passed passed, $failed failed$([ "$skipped" -eq 0 ] || echo ", $skipped skipped")"
-[ "$failed" -eq 0 ]
+"$1" | awk '
+    { print; fflush(); count[$1]++ }
+    END {
+        print count["ok"] + 0 " passed, " count["FAIL"] + 0 " failed, " count["SKIP"] + 0 " skipped"
+        exit !NR || count["FAIL"]
+    }'
