@@ -64,36 +64,34 @@ judge() {
     return $status
 }
 
-# Prints one line for the folder $2, which should pass or fail the exercise $1, as $3 says.
+# Does exercise $1, changed by the script of the name $2, or as it is at the start, pass or fail as it
+# should? Prints a line.
 prove_one() {
-    if ! compile "$1" "$2"; then
-        echo "FAIL exercise $1, $4: does not compile"
+    made=$build/exercises_proven/$1/$2
+    rm -rf "$made"
+    start "$1" "$made" && { [ "$2" = start ] || edit "$lessons/$1/$2.sed" "$made"; } || return
+    if ! compile "$1" "$made"; then
+        echo "FAIL exercise $1, $2: does not compile"
         return 1
     fi
-    judge "$1" "$2" > "$2/output"
-    if [ $? -eq "$3" ]; then
-        echo "exercise $1, $4: $([ "$3" -eq 0 ] && echo passes || echo "fails, as it should")"
-    else
-        echo "FAIL exercise $1, $4: $([ "$3" -eq 0 ] && echo "does not pass" || echo passes)"
-        cat "$2/output"
+    judge "$1" "$made" > "$made/output"
+    status=$?
+    case $2:$status in
+    solution_*:0) echo "exercise $1, $2: passes" ;;
+    wrong_*:1 | start:1) echo "exercise $1, $2: fails, as it should" ;;
+    *)
+        echo "FAIL exercise $1, $2: the judge ends with $status"
+        cat "$made/output"
         return 1
-    fi
+        ;;
+    esac
 }
 
 prove() {
     failed=0
-    for folder in "$lessons"/${only:-[1-5]_[12]}; do
-        exercise=$(basename "$folder")
-        made=$build/exercises_proven/$exercise
-        rm -rf "$made"
-        start "$exercise" "$made/start" && prove_one "$exercise" "$made/start" 1 start || failed=1
-        for script in "$folder"/solution_*.sed "$folder"/wrong_*.sed; do
-            [ -f "$script" ] || continue
-            name=$(basename "$script" .sed)
-            wanted=1
-            [ "$name" = "${name#solution}" ] || wanted=0
-            start "$exercise" "$made/$name" && edit "$script" "$made/$name" &&
-                prove_one "$exercise" "$made/$name" $wanted "$name" || failed=1
+    for folder in "$lessons"/[1-5]_[12]; do
+        for name in start $(cd "$folder" && ls solution_*.sed wrong_*.sed); do
+            prove_one "$(basename "$folder")" "${name%.sed}" || failed=1
         done
     done
     return $failed

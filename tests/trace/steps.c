@@ -49,12 +49,12 @@ void stage5_draw_segments_in_steps(const struct segment *segments, int count,
 extern const int32_t stage5_draw_segments_lines[][2];
 extern const char stage5_draw_segments_text[];
 
-#define STATES_MAX 8192 /* instructions a call: 16 pixels of 4 groups are some 2,500 */
+#define STATES_MAX 8192 /* instructions a call: 8 groups of 16 pixels are some 5,500 */
 #define LINES_MAX 1024
 
 /* The registers after an instruction. */
 struct state {
-    ptrdiff_t at; /* of that instruction, from the routine's start */
+    ptrdiff_t next; /* the instruction that comes then, from the routine's start */
     uint64_t registers[STEPS_REGISTERS][2]; /* of a general one only the first */
 };
 
@@ -62,7 +62,6 @@ static struct steps *target;
 static const uint32_t *first_pixel, *end_pixel;
 static struct state states[STATES_MAX];
 static int state_count;
-static ptrdiff_t last_at; /* where the instruction that is running now begins */
 
 static const int general_order[16] = {REG_RAX, REG_RCX, REG_RDX, REG_RBX, REG_RSP, REG_RBP,
                                       REG_RSI, REG_RDI, REG_R8,  REG_R9,  REG_R10, REG_R11,
@@ -76,13 +75,13 @@ static void on_trap(int number, siginfo_t *info, void *context)
     (void)number, (void)info;
     if (state_count < STATES_MAX) {
         struct state *state = &states[state_count++];
-        state->at = last_at;
+        state->next =
+            (ptrdiff_t)((uintptr_t)machine->gregs[REG_RIP] - (uintptr_t)stage5_draw_segments);
         for (int i = 0; i < 16; i++) {
             state->registers[i][0] = (uint64_t)machine->gregs[general_order[i]];
         }
         memcpy(state->registers[16], machine->fpregs->_xmm, sizeof machine->fpregs->_xmm);
     }
-    last_at = (ptrdiff_t)((uintptr_t)machine->gregs[REG_RIP] - (uintptr_t)stage5_draw_segments);
 }
 
 static struct step_line lines[LINES_MAX];
@@ -134,7 +133,6 @@ static void run_in_steps(const struct segment *segments, int count, const struct
     sigemptyset(&trap.sa_mask);
     sigaction(SIGTRAP, &trap, &before);
     state_count = 0;
-    last_at = -1;
     TRAP("orq $0x100, (%%rsp)");
     stage5_draw_segments(segments, count, texture, g);
     TRAP("andq $-0x101, (%%rsp)");
@@ -171,12 +169,12 @@ static int changed(const struct state *before, const struct state *after)
  * to which jumps lead. */
 static void begin_group(const char *line, const struct segment *segments)
 {
-    struct step_group group = target->groups[target->group_count - 1];
+    const struct step_group *last = &target->groups[target->group_count - 1];
     const bool drawing = strncmp(line, "draw:", 5) == 0;
 
     if (drawing || strncmp(line, "set_up:", 7) == 0) {
-        group.number = drawing && !group.drawing ? 0 : group.number + 1;
-        group.drawing = drawing;
+        struct step_group group = {.call = last->call, .drawing = drawing};
+        group.number = drawing == last->drawing ? last->number + 1 : 0;
         for (int i = 0; i < STEPS_LANES; i++) {
             const struct segment *segment = &segments[STEPS_LANES * group.number + i];
             group.segments[i] = (struct step_segment){segment->pixels, segment->count};
@@ -188,10 +186,8 @@ static void begin_group(const char *line, const struct segment *segments)
 /* From the states of a call, its steps. There is room for them. */
 static void add_steps(const struct segment *segments)
 {
-    int pixels[STEPS_LANES], group = -1;
-
     for (int i = 1; i < state_count; i++) {
-        struct step step = {.line = line_at(states[i].at),
+        struct step step = {.line = line_at(states[i - 1].next),
                             .reg = changed(&states[i - 1], &states[i])};
         if (step.line == 0) {
             continue; /* before the call, or after it */
@@ -199,14 +195,10 @@ static void add_steps(const struct segment *segments)
         const struct step_line *line = steps_line(step.line);
         begin_group(line->text, segments);
         step.group = target->group_count - 1;
-        if (step.group != group) {
-            memset(pixels, 0, sizeof pixels);
-            group = step.group;
-        }
         step.lane = line->lane;
         if (step.lane >= 0) {
             step.reg = line->reg;
-            step.pixel = pixels[step.lane]++;
+            step.pixel = target->groups[step.group].stored[step.lane]++;
         }
         if (step.reg >= 0) {
             memcpy(&step.value, states[i].registers[step.reg], sizeof step.value);

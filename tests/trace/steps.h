@@ -23,6 +23,7 @@ struct step_group {
     int number;   /* counted from 0 in each call; -1: before the first */
     bool drawing; /* its pixels; before that, where its segments start and how they step */
     struct step_segment segments[STEPS_LANES];
+    int stored[STEPS_LANES]; /* pixels so far, those for the dummy buffer too */
 };
 
 struct step {
