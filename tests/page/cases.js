@@ -37,22 +37,13 @@ class Cases extends Part {
         (_, k) => numbers.slice(FLOATS * k, FLOATS * k + FLOATS)) };
   }
 
-  names() {
-    return Array.from(this.all.keys()).filter((name) => this.get(name).triangles.length);
-  }
-
-  get(name) {
-    return this.all.get(name);
-  }
-
   drawCase(article) {
-    const { size, triangles } = this.get(article.dataset.name), { stages } = this;
+    const { size, triangles } = this.all.get(article.dataset.name), { stages } = this;
     const place = article.querySelector(".views");
-    if (place.childElementCount || !triangles.length) {
+    if (place.childElementCount) {
       return;
     }
-    stages.open(...size);
-    stages.segmentLength(16);
+    stages.open(size);
     stages.give(triangles.slice(0, TRIANGLES_MAX));
     for (const [n, result] of stages.results()) {
       const canvas = element("canvas", { role: "img", "aria-label": `The case in ${n}` });

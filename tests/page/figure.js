@@ -25,19 +25,17 @@ function drawFrame(c, { frame, errors }, { x, y, w, h }, cell, width, shift, alp
 }
 
 class Figure {
-  /* `moved(vertex, x, y)` while a vertex is dragged, `picked(x, y)` for a pixel. */
-  constructor(moved, picked, keyed) {
+  constructor(stepper) {
     this.canvas = byId("figure-canvas");
     this.handles = Array.from(document.querySelectorAll(".handle"));
-    this.moved = moved;
     this.canvas.addEventListener("click", (event) => {
-      picked(...this.toFrame(event).map(Math.round));
+      stepper.pick(...this.toFrame(event).map(Math.round));
     });
-    this.canvas.addEventListener("keydown", keyed);
-    this.handles.forEach((handle, i) => this.listen(handle, i));
+    this.canvas.addEventListener("keydown", (event) => stepper.key(event));
+    this.handles.forEach((handle, i) => this.listen(stepper, handle, i));
   }
 
-  listen(handle, i) {
+  listen(stepper, handle, i) {
     handle.addEventListener("pointerdown", (event) => {
       const [x, y] = this.toFrame(event);
       handle.setPointerCapture(event.pointerId);
@@ -46,15 +44,15 @@ class Figure {
     });
     handle.addEventListener("pointermove", (event) => {
       if (this.dragged === i) {
-        this.moved(i, ...this.toFrame(event).map((c, axis) => c - this.grab[axis]));
+        stepper.move(i, ...this.toFrame(event).map((c, axis) => c - this.grab[axis]));
       }
     });
     handle.addEventListener("lostpointercapture", () => { this.dragged = null; });
     handle.addEventListener("keydown", (event) => {
-      const step = (this.model.snap === 1 ? 1 : 1 / 16) * (event.shiftKey ? 16 : 1);
+      const step = (stepper.state.snap === 1 ? 1 : 1 / 16) * (event.shiftKey ? 16 : 1);
       const way = arrow(event), { x, y } = this.given[i];
       if (way) {
-        this.moved(i, x + step * way[0], y + step * way[1]);
+        stepper.move(i, x + step * way[0], y + step * way[1]);
       }
     });
   }
@@ -71,23 +69,21 @@ class Figure {
       (event.clientY - box.top - MARGIN) / this.cell + y - 0.5];
   }
 
-  /* model: window {x, y, w, h}, width (the frame's), frame, exact, errors (null: not measured),
-   * given (15 numbers), rounded (a list of triangles of three points), order (a pixel's step),
-   * at (the step now), step (its event), snap */
-  draw(model) {
-    this.model = model;
-    this.window = model.window;
-    const width = this.canvas.clientWidth || 600;
-    this.cell = Math.min((width - MARGIN - 8) / model.window.w,
-      (FIGURE_HEIGHT_MAX - MARGIN) / model.window.h, CELLS_MAX);
-    const [c] = context(this.canvas, Math.ceil(MARGIN + model.window.h * this.cell + 10));
-    this.drawCells(c);
+  draw(stepper, event) {
+    const { state, list, results } = stepper, width = this.canvas.clientWidth || 600;
+    const at = (x, y) => this.toCanvas(x, y), { grid } = stageOf(state.stage);
+    this.result = results.get(state.stage);
+    this.width = state.size[0];
+    this.window = stepper.window();
+    this.cell = Math.min((width - MARGIN - 8) / this.window.w,
+      (FIGURE_HEIGHT_MAX - MARGIN) / this.window.h, CELLS_MAX);
+    const [c] = context(this.canvas, Math.ceil(MARGIN + this.window.h * this.cell + 10));
+    this.drawCells(c, stepper);
     this.drawGrid(c);
     this.drawMarks(c);
-    this.drawStep(c);
-    const at = (x, y) => this.toCanvas(x, y);
-    model.rounded.forEach((points) => outline(c, points, at, "ink", 2));
-    this.given = cornersOf(model.given, 0);
+    this.drawStep(c, event);
+    list.forEach((piece) => outline(c, cornersOf(piece, grid), at, "ink", 2));
+    this.given = cornersOf(state.v, 0);
     outline(c, this.given, at, "accent", 1.5, [5, 4]);
     this.given.forEach((vertex, i) => this.placeHandle(this.handles[i], vertex, "ABC"[i]));
   }
@@ -96,16 +92,18 @@ class Figure {
     const { x, y, w, h } = this.window;
     for (let j = y; j < y + h; j++) {
       for (let i = x; i < x + w; i++) {
-        visit(i, j, j * this.model.width + i);
+        visit(i, j, j * this.width + i);
       }
     }
   }
 
-  drawCells(c) {
-    const { frame, errors, width, order, at, shift } = this.model;
+  /* What is drawn at this step, and fainter what is drawn later. */
+  drawCells(c, { run, state: { v, at } }) {
+    const { frame, errors } = this.result, spread = Math.max(...[3, 4].map((k) =>
+      Math.abs(v[k] - v[k + 5]) + Math.abs(v[k] - v[k + 10])));
     c.translate(MARGIN, MARGIN);
     drawFrame(c, { frame, errors: this.cell < MARKS_FROM ? errors : null }, this.window, this.cell,
-      width, shift, (i) => (order.get(i) <= at ? 255 : 90));
+      this.width, spread > 128 ? 4 : 0, (i) => (run.order.get(i) <= at ? 255 : 90));
     c.translate(-MARGIN, -MARGIN);
   }
 
@@ -137,7 +135,7 @@ class Figure {
 
   /* Wrong texels, missing pixels, pixels too many. */
   drawMarks(c) {
-    const { errors, frame } = this.model, arm = Math.max(this.cell * 0.22, 1);
+    const { errors, frame } = this.result, arm = Math.max(this.cell * 0.22, 1);
     if (!errors || this.cell < MARKS_FROM) {
       return; /* in small cells a colour says it */
     }
@@ -153,8 +151,8 @@ class Figure {
     });
   }
 
-  drawStep(c) {
-    const { step, window: { x, w } } = this.model;
+  drawStep(c, step) {
+    const { x, w } = this.window;
     if (!step || step.y === undefined) {
       return;
     }

@@ -5,16 +5,10 @@ const LANES = 4;
 const STAGE4_OF = { texel_at: "texel_at", line_setup: "line_setup", fetch: "draw_segment" };
 
 class Lanes extends Part {
-  constructor() {
-    const { recordings = [], missing } = JSON.parse(byId("lanes-data").textContent);
+  constructor(recordings) {
     super("assembly", { at: whole(undefined, 0, 1e6),
       recording: oneOf(0, recordings.map(({ name }, i) => [i, name])) });
-    Object.assign(this, { recordings, steps: [] });
-    byId("lanes").hidden = Boolean(missing);
-    if (missing) {
-      byId("lanes-missing").textContent = `There is no recording: ${missing}.`;
-      return;
-    }
+    this.recordings = recordings;
     this.stage4 = byId("source-4").textContent.split("\n");
     this.source = byId("source-5").textContent.split("\n");
     numberLines(byId("lanes-source"), this.source);
@@ -30,9 +24,9 @@ class Lanes extends Part {
 
   /* Another recording begins where a lane changes first, but where a step is named. */
   set({ recording = this.state.recording, at }) {
-    this.steps = (this.recordings[recording] || { steps: [] }).steps;
+    this.steps = this.recordings[recording].steps;
     const first = this.steps.findIndex((step) => step[2]);
-    super.set({ recording, at: clamp(at ?? first, 0, Math.max(this.steps.length - 1, 0)) });
+    super.set({ recording, at: clamp(at ?? first, 0, this.steps.length - 1) });
   }
 
   go(at) {
@@ -80,9 +74,6 @@ class Lanes extends Part {
   }
 
   draw() {
-    if (!this.steps.length) {
-      return;
-    }
     const { registers, stored } = this.held(), step = this.steps[this.state.at];
     byId("lanes-count").textContent = `Instruction ${this.state.at + 1} of ${this.steps.length}` +
       (step[2] ? `: ${step[1]}, ${step[2]}` : "");

@@ -15,7 +15,10 @@ async function start() {
   page.stepper = new Stepper(page.stages, page.cases);
   page.ready = performance.now();
   page.swim = new Swim(await Stages.load());
-  page.lanes = new Lanes();
+  const { recordings, missing } = JSON.parse(byId("lanes-data").textContent);
+  byId("lanes").hidden = Boolean(missing);
+  byId("lanes-missing").textContent = missing ? `There is no recording: ${missing}.` : "";
+  page.lanes = recordings && new Lanes(recordings);
   page.pictures = await Pictures.load(await Stages.load());
   addEventListener("hashchange", () => Address.read());
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {

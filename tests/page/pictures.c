@@ -1,9 +1,11 @@
 /* The room as every stage draws it: how accurate, as a table, and the pictures themselves. Stage 5
  * and the coda cannot run in the page: their frames with the texture `coord` are in it too. */
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "tests/exact/accuracy.h"
 #include "tests/exact/exact.h"
+#include "tests/files/picture.h"
 #include "tests/page/report.h"
 
 #define WIDTH 320
@@ -55,6 +57,38 @@ static bool print_accuracy(FILE *out, const struct source *source, struct meter 
     return done;
 }
 
+/* Bytes in base64. */
+static void print_base64(FILE *out, const unsigned char *bytes, size_t size)
+{
+    static const char digits[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+    for (size_t i = 0; i < size; i += 3) { /* 3 bytes are 4 digits of 6 bits; = where one ends */
+        const uint32_t second = i + 1 < size ? bytes[i + 1] : 0;
+        const uint32_t third = i + 2 < size ? bytes[i + 2] : 0;
+        const uint32_t bits = (uint32_t)bytes[i] << 16 | second << 8 | third;
+        fputc(digits[bits >> 18], out);
+        fputc(digits[bits >> 12 & 63], out);
+        fputc(i + 1 < size ? digits[bits >> 6 & 63] : '=', out);
+        fputc(i + 2 < size ? digits[bits & 63] : '=', out);
+    }
+}
+
+/* A picture as an address; false when there is no memory for it. */
+static bool print_png(FILE *out, const struct image *image)
+{
+    unsigned char *bytes;
+    size_t size;
+
+    if (!png_encode(image, &bytes, &size)) {
+        return false;
+    }
+    fputs("data:image/png;base64,", out);
+    print_base64(out, bytes, size);
+    free(bytes);
+    return true;
+}
+
 /* With each triangle's own texture, or, for the page's script, hidden, with this one. */
 static bool print_picture(FILE *out, const struct source *source, int number, const char *name,
                           draw_triangle *draw, const struct image *texture, struct image *frame)
@@ -64,7 +98,7 @@ static bool print_picture(FILE *out, const struct source *source, int number, co
     fprintf(out, "<figure%s><img id=\"%s-%d\" width=\"%d\" height=\"%d\" alt=\"The room, drawn by "
             "%s\" src=\"", texture ? " hidden" : "", texture ? "coord" : "picture", number, WIDTH,
             HEIGHT, name);
-    const bool done = html_png(out, frame);
+    const bool done = print_png(out, frame);
     fprintf(out, "\"><figcaption>%d: %s</figcaption></figure>\n", number, name);
     return done;
 }

@@ -5,8 +5,7 @@
 class Pictures extends Part {
   static async load(stages) {
     const rooms = new Map();
-    stages.open(...ROOM_SIZE);
-    stages.segmentLength(16);
+    stages.open(ROOM_SIZE);
     stages.room(ROOM_FRAME, 0, 0);
     stages.measurable();
     for (const { number } of STAGES) {

@@ -18,6 +18,19 @@ static const struct part {
 
 #define PART_COUNT (sizeof parts / sizeof parts[0])
 
+void html_text(FILE *out, const char *text)
+{
+    for (; *text; text++) {
+        switch (*text) {
+        case '<': fputs("&lt;", out); break;
+        case '>': fputs("&gt;", out); break;
+        case '&': fputs("&amp;", out); break;
+        case '"': fputs("&quot;", out); break;
+        default: fputc(*text, out);
+        }
+    }
+}
+
 static bool print_line(FILE *out, const char *line, report_progress *progress,
                        struct error *error)
 {

@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <stdio.h>
 #include "tests/files/error.h"
-#include "common/image.h"
 
 /* Called before each part of the page with what will be done. */
 typedef void report_progress(const char *doing);
@@ -23,9 +22,8 @@ report_part report_speed; /* a short benchmark, and its chart */
 report_part report_lanes; /* recordings of stage 5's assembly, as JSON */
 report_part report_cases; /* the stability table; a line where tests/cases/ is not at hand */
 
-/* Text in HTML; a picture as an address, false when there is no memory for it. */
+/* Text in HTML. */
 void html_text(FILE *out, const char *text);
-bool html_png(FILE *out, const struct image *image);
 
 /* The page's template, with the files that it names, as the build put it into the program: see
  * tests/page/embed.sh. */

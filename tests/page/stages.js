@@ -42,12 +42,13 @@ class Stages {
     return new Type(this.wasm.memory.buffer, address, length);
   }
 
-  open(width, height) {
+  /* A frame's size, and how many pixels stage 4 divides once for. */
+  open([width, height], segmentLength = 16) {
     if (!this.wasm.page_open(width, height)) {
       throw new Error("no memory for the frame");
     }
-    this.width = width;
-    this.height = height;
+    this.wasm.page_segment_length(segmentLength);
+    Object.assign(this, { width, height });
   }
 
   /* Takes triangles of fifteen numbers each, clipped; returns the list of them. */
@@ -66,10 +67,6 @@ class Stages {
     const all = count ? this.array(Float32Array, this.wasm.page_list(), WORDS * count) : [];
     return Array.from({ length: count },
       (_, k) => Array.from(all.slice(WORDS * k, WORDS * k + FLOATS)));
-  }
-
-  segmentLength(length) {
-    this.wasm.page_segment_length(length);
   }
 
   /* A frame's pixels, 0xAARRGGBB, row by row: a copy. */

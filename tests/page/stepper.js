@@ -13,7 +13,7 @@ class Stepper extends Part {
       length: { ...whole(16, 1, 4096), says: (n) => (n > 64 ? "span" : plural(n, "pixel")) },
       snap: oneOf(0, [[0, "nothing"], [16, "1/16 pixel"], [1, "whole pixels"]]),
       case: oneOf("", [["", "the first triangle"],
-        ...cases.names().map((name) => [name, name.replace(/_/g, " ")])]),
+        ...Array.from(cases.all.keys(), (name) => [name, name.replace(/_/g, " ")])]),
       triangle: whole(0, 0, TRIANGLES_MAX - 1),
       before: whole(0, 0, 1),
       size: several(FIRST.size, "x", 1, 4096),
@@ -21,8 +21,7 @@ class Stepper extends Part {
       view: oneOf("fit", [["fit", "all of it"], ["near", "24 pixels around the step"]]),
     });
     Object.assign(this, { stages, cases });
-    this.figure = new Figure((i, x, y) => this.move(i, x, y), (x, y) => this.pick(x, y),
-      (event) => this.key(event));
+    this.figure = new Figure(this);
     this.panels = new Panels((stage) => this.set({ stage }));
     byId("step-slider").addEventListener("wheel", (event) => {
       event.preventDefault();
@@ -56,14 +55,13 @@ class Stepper extends Part {
       const snapped = (c) => Math.round(c * state.snap) / state.snap;
       Object.assign(state, { case: "", v: state.v.map((c, k) => (k % 5 < 2 ? snapped(c) : c)) });
     }
-    const found = this.cases.get(state.case);
+    const found = this.cases.all.get(state.case);
     if (found) {
       state.triangle = Math.min(state.triangle, found.triangles.length - 1);
       Object.assign(state, { size: found.size, v: found.triangles[state.triangle] });
       state.view = chosen && thin(state.v) ? "near" : state.view;
     }
-    stages.open(...state.size);
-    stages.segmentLength(state.length);
+    stages.open(state.size, state.length);
     this.list = stages.give([state.v]);
     this.run = this.trace(state.stage);
     this.earlier = state.stage > 1 && state.before ? this.trace(state.stage - 1) : null;
@@ -134,19 +132,14 @@ class Stepper extends Part {
   }
 
   draw() {
-    const { state, run } = this, event = run.at(state.at), result = this.results.get(state.stage);
-    const spread = Math.max(...[3, 4].map((k) => Math.abs(state.v[k] - state.v[k + 5]) +
-      Math.abs(state.v[k] - state.v[k + 10])));
-    this.figure.draw({ window: this.window(), width: state.size[0], frame: result.frame,
-      errors: result.errors, given: state.v, order: run.order, at: state.at, step: event,
-      snap: state.snap, shift: spread > 128 ? 4 : 0,
-      rounded: this.list.map((one) => cornersOf(one, stageOf(state.stage).grid)) });
+    const event = this.run.at(this.state.at);
+    this.figure.draw(this, event);
     this.panels.draw(this, event);
   }
 
   showState() {
-    const { state, run, section } = this, count = run.events.length;
-    const found = this.cases.get(state.case), triangle = section.querySelector("#step-triangle");
+    const { state, run } = this, count = run.events.length;
+    const found = this.cases.all.get(state.case), triangle = byId("step-triangle");
     triangle.max = found ? found.triangles.length - 1 : 0;
     triangle.parentNode.hidden = triangle.max < 1;
     byId("step-slider").max = Math.max(count - 1, 0);

@@ -43,7 +43,7 @@ class Swim extends Part {
   /* The wall in a frame: its triangles' vertices, and each stage's errors and, drawn, pixels. */
   wall(frame, drawn = false) {
     const { stages } = this, [dx, dy] = DIRECTIONS[this.state.direction];
-    stages.open(...ROOM_SIZE);
+    stages.open(ROOM_SIZE);
     const list = stages.room(ROOM_FRAME, dx * frame / 64, dy * frame / 64, TEXTURE_BRICKS);
     stages.measurable();
     return new Map(SWIM_STAGES.map((n) => [n, {

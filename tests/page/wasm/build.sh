@@ -9,18 +9,12 @@
 set -eu
 
 here=tests/page/wasm
-stages='stage1_float stage2_dda stage3_fixed28_4 stage4_subdivide'
+stages=$(echo stage[1-4]_*/rasterize.c)
 sources="$(echo common/*.c) tests/exact/exact.c tests/exact/meter.c tests/exact/surface.c
     tests/trace/recorder.c $here/module.c"
 headers="$(echo common/*.h) tests/exact/exact.h tests/exact/meter.h tests/exact/surface.h
     tests/program/stages.h tests/trace/recorder.h tests/trace/hooks.h $here/freestanding.h
     $here/segment.h"
-
-list()
-{
-    for file in $sources $headers; do echo "$file"; done
-    for stage in $stages; do echo "$stage/rasterize.c"; done
-}
 
 build()
 {
@@ -41,14 +35,13 @@ build()
     for file in $sources; do
         $compile -Oz -o "$folder/$(echo "$file" | tr / _).o" "$file"
     done
-    number=0
     for stage in $stages; do
-        number=$((number + 1))
+        number=${stage#stage} number=${number%%_*}
         length="-include $here/segment.h -DSEGMENT_LENGTH=chosen_segment_length"
-        $compile $length -o "$folder/$stage.o" "$stage/rasterize.c"
+        $compile $length -o "$folder/$number.o" "$stage"
         $compile $length -Dstage${number}_draw_triangle=traced${number}_draw_triangle -Oz \
             -DTEXMAP_TRACE='"tests/trace/hooks.h"' -DTRACE_STAGE=$number \
-            -o "$folder/$stage.traced.o" "$stage/rasterize.c"
+            -o "$folder/$number.traced.o" "$stage"
     done
     wasm-ld --no-entry --strip-all -z stack-size=65536 -o "$folder/stages.wasm" "$folder"/*.o
     base64 -w 100 "$folder/stages.wasm" > "$1.new"
@@ -85,7 +78,7 @@ check()
 case $1 in
 build) build "$2" ;;
 choose) choose "$2" ;;
-list) list ;;
+list) echo $sources $headers $stages ;;
 check) check ;;
-sources) list | while read -r file; do cksum "$file"; done ;;
+sources) cksum $sources $headers $stages ;;
 esac
