@@ -82,7 +82,7 @@ async function open(browser, hash = "", options = {}) {
 const settled = (page) => page.evaluate(() => new Promise((done) =>
   requestAnimationFrame(() => requestAnimationFrame(done))));
 
-const state = (page) => page.evaluate(() => window.page.stepper.state);
+const state = (page) => page.evaluate("page.stepper.state");
 
 async function testDrag(page) {
   const handle = page.locator(".handle").first(), box = await handle.boundingBox();
@@ -127,8 +127,7 @@ async function testTrace(page) {
       "--csv", `${build}/page.csv`);
     compareTrace(events, readFileSync(`${build}/page.csv`, "utf8"), stage);
     const count = (kind) => events.filter((event) => event.kind === kind).length;
-    const [divides] = await page.evaluate(() =>
-      window.page.stages.costs(window.page.stepper.run, Infinity));
+    const [divides] = await page.evaluate("page.stages.costs(page.stepper.run, Infinity)");
     same(divides, [0, count("pixel"), count("pixel"), count("pixel") + count("span"),
       count("span") + count("segment")][stage], `stage ${stage} divides so often`);
   }
@@ -199,7 +198,7 @@ async function testWhy(page) {
 
 async function testPick(page) {
   const canvas = page.locator("#figure-canvas"), box = await canvas.boundingBox();
-  const [x, y] = await page.evaluate(() => window.page.stepper.figure.toCanvas(6, 5));
+  const [x, y] = await page.evaluate("page.stepper.figure.toCanvas(6, 5)");
   await page.mouse.click(box.x + x, box.y + y);
   same((await shown(page)).title, "Pixel: pixel 6, 5", "a click goes to the pixel's step");
   const { at } = await state(page);
@@ -212,7 +211,7 @@ async function testPick(page) {
   await settled(page);
   same((await state(page)).at, at, "the wheel steps");
   await page.locator("#step [data-go=play]").click();
-  await page.waitForFunction((first) => window.page.stepper.state.at > first, at);
+  await page.waitForFunction(`page.stepper.state.at > ${at}`);
   await page.locator("#step [data-go=play]").click();
 }
 
@@ -262,17 +261,15 @@ async function testPictures(page) {
 
 async function testSwim(page) {
   await page.locator("#swim").scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => (window.page.swim.changes.right || []).length === 128, null,
-    { timeout: 60000 });
-  const all = await page.evaluate(() => window.page.swim.changes.right);
+  await page.waitForFunction("page.swim.changes.right?.length === 128", null, { timeout: 60000 });
+  const all = await page.evaluate("page.swim.changes.right");
   const jumps = all.filter(([one]) => one.jumps), rest = all.filter(([one]) => !one.jumps);
   const mean = (list, row) => list.reduce((sum, one) => sum + one[row].rms, 0) / list.length;
   check(jumps.length >= 4 && mean(jumps, 0) > 4 * mean(rest, 0), "stage 2 swims in its jumps",
     jumps.length, mean(jumps, 0), mean(rest, 0));
   check(mean(jumps, 0) > 4 * mean(all, 1), "stage 3 swims less", mean(all, 1));
   await page.locator("#swim [data-go=play]").click();
-  await page.waitForFunction((first) => window.page.swim.state.frame > first,
-    await page.evaluate(() => window.page.swim.state.frame));
+  await page.waitForFunction("page.swim.state.frame > 2");
   await page.locator("#swim [data-go=play]").click();
 }
 
@@ -283,24 +280,22 @@ async function testCases(page) {
   await article.locator("summary").click();
   await article.locator("canvas").nth(4).waitFor();
   check(await article.locator("canvas").count() === 5, "a case is drawn in all stages");
-  check(await page.evaluate(() => window.page.stages.width === window.page.stepper.state.size[0]),
+  check(await page.evaluate("page.stages.width === page.stepper.state.size[0]"),
     "and the stepper has its own frame still");
   await article.getByRole("button").click();
-  await page.waitForFunction(() => window.page.stepper.state.case === "steep_segment");
+  await page.waitForFunction("page.stepper.state.case === 'steep_segment'");
   await testFrames(page, "a case's triangle");
 }
 
 /* The recorded lanes hold the pixels that stage 5 draws; a click goes on to their next store. */
 async function testLanes(page) {
-  if (await page.evaluate(() => !window.page.lanes)) {
+  if (await page.evaluate("!page.lanes")) {
     check(await page.textContent("#lanes-missing"), "without stage 5 the page says why");
     return;
   }
-  const { stored, segments } = await page.evaluate(() => {
-    const { lanes } = window.page;
-    lanes.set({ recording: 0, at: 1e6 });
-    return { stored: lanes.held().stored, segments: lanes.recordings[0].segments };
-  });
+  await page.evaluate("page.lanes.set({ recording: 0, at: 1e6 })");
+  const stored = await page.evaluate("page.lanes.held().stored");
+  const segments = await page.evaluate("page.lanes.recordings[0].segments");
   const pixels = renderTriangle(5, [80, 48],
     [0, 0, 1, 0, 0, 40, 0, 3, 160, 0, 0, 40, 2, 0, 160]);
   segments.forEach(([x, y, count], lane) => {
@@ -309,7 +304,7 @@ async function testLanes(page) {
       return `(${pixel >> 16} ${pixel >> 8 & 255})`;
     }), `lane ${lane} stores what stage 5 draws`);
   });
-  await page.evaluate(() => window.page.lanes.set({ recording: 0 }));
+  await page.evaluate("page.lanes.set({ recording: 0 })");
   await page.click("#lanes [data-go=pixel]");
   await settled(page);
   check((await page.textContent("#lanes-source .run")).includes("mov     [r15"),
@@ -359,18 +354,12 @@ async function testSpeed(page) {
 }
 
 /* In another engine, the page tells this program what it holds. */
-const TELLS = `<script>const asks = setInterval(() => {
-  const { page } = window, broken = byId("broken").textContent;
-  if (page || broken) {
-    clearInterval(asks);
-    fetch("/said", { method: "POST", body: JSON.stringify([broken,
-      page && page.stepper.run.events.map(({ v }) => v), page && page.pictures.rooms.size]) });
-  }
-}, 200);</script>`;
+const HOLDS = `[byId("broken").textContent, window.page?.stepper.run.events.map(({ v }) => v),
+  window.page?.pictures.rooms.size]`;
+const TELLS = `<script>setInterval(() => (window.page || !byId("broken").hidden) &&
+  fetch("/said", { method: "POST", body: JSON.stringify(${HOLDS}) }), 200);</script>`;
 
 async function testFirefox(page) {
-  const expected = await page.evaluate(() => ["", window.page.stepper.run.events.map(({ v }) => v),
-    window.page.pictures.rooms.size]);
   let server, running;
   const said = await new Promise((done) => {
     server = createServer(async (request, response) => {
@@ -387,7 +376,7 @@ async function testFirefox(page) {
   running.kill();
   server.close();
   server.closeAllConnections();
-  same(said, expected, "Firefox steps through the same");
+  same(said, await page.evaluate(HOLDS), "Firefox steps through the same");
 }
 
 const html = readFileSync(`${build}/report/index.html`, "utf8");
