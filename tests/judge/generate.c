@@ -188,20 +188,18 @@ static void make_t_junctions(struct judge_case *made, struct random *random)
     const double top = random_int(random, 0, made->width * 64) / 64.0 - 0.5;
     const double bottom = random_int(random, 0, made->width * 64) / 64.0 - 0.5;
     const double share = random_int(random, 1, 7) / 8.0;
+    const double at[7][2] = {{-0.5, -0.5}, {top, -0.5}, {w - 0.5, -0.5}, {w - 0.5, h - 0.5},
+                             {bottom, h - 0.5}, {-0.5, h - 0.5},
+                             {top + share * (bottom - top), -0.5 + share * h}};
+    static const int corners[5][3] = {{0, 1, 4}, {0, 4, 5}, {1, 2, 6}, {2, 3, 6}, {3, 4, 6}};
     struct vertex v[7] = {0};
 
-    place(&v[0], -0.5, -0.5, made);
-    place(&v[1], top, -0.5, made);
-    place(&v[2], w - 0.5, -0.5, made);
-    place(&v[3], w - 0.5, h - 0.5, made);
-    place(&v[4], bottom, h - 0.5, made);
-    place(&v[5], -0.5, h - 0.5, made);
-    place(&v[6], top + share * (bottom - top), -0.5 + share * h, made);
-    add_triangle(made, random, v[0], v[1], v[4]);
-    add_triangle(made, random, v[0], v[4], v[5]);
-    add_triangle(made, random, v[1], v[2], v[6]);
-    add_triangle(made, random, v[2], v[3], v[6]);
-    add_triangle(made, random, v[3], v[4], v[6]);
+    for (int i = 0; i < 7; i++) {
+        place(&v[i], at[i][0], at[i][1], made);
+    }
+    for (int i = 0; i < 5; i++) {
+        add_triangle(made, random, v[corners[i][0]], v[corners[i][1]], v[corners[i][2]]);
+    }
 }
 
 /* u = p x + q y + 1/2 and v likewise, p and q whole numbers, in a triangle whose vertices lie on

@@ -102,4 +102,4 @@ const struct command command_accuracy = {
     "  jitter         change of the position error as the scene moves by 1/64 pixel a\n"
     "                 frame, RMS\n"
     "A pixel within 1e-6 texel of a border has two right texels.",
-    OPTION_STAGE_OR_ALL | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE_OR_ALL, run};
+    OPTION_STAGE | OPTIONS_SOURCE | OPTION_CSV, OPTION_STAGE, run};

@@ -20,7 +20,7 @@ static bool choose(struct bench_choice *choice, const struct options *options,
                    struct error *error)
 {
     *choice = (struct bench_choice){.size = {DEFAULT_WIDTH, DEFAULT_HEIGHT}};
-    if (options->given & OPTION_SIZE_BENCH) {
+    if (options->given & OPTION_SIZE) {
         choice->size = options->size;
     }
     if (options->scene && strcmp(options->scene, "all") != 0) {
@@ -164,5 +164,4 @@ const struct command command_bench = {
     "in each round; of all rounds the minimum and the median count. A stage whose\n"
     "frame is wrong is not timed (exit status 1). Accuracy is measured first; however\n"
     "few the seconds, one round is run.",
-    OPTION_STAGE_OR_EVERY | OPTION_SCENE_OR_ALL | OPTION_SIZE_BENCH | OPTION_CSV | OPTION_SECONDS,
-    0, run};
+    OPTION_STAGE | OPTION_SCENE | OPTION_SIZE | OPTION_CSV | OPTION_SECONDS, 0, run};

@@ -69,17 +69,12 @@ static bool parse_value(const struct rule *rule, const char *text, void *field,
     "segment_4 _8 _32 _64 or _span: stage 4 with segments of" NEXT                                 \
     "another length, of a whole span: plain affine"
 
-/* Where commands differ in what an option takes it has a row for each of them. */
 static const struct rule rules[] = {
-    {OPTION_STAGE, "--stage", "S", ONE_STAGE, TEXT(stage)},
-    {OPTION_STAGE_OR_ALL, "--stage", "S", "all (the five, and the coda where it runs), or" NEXT
-     ONE_STAGE, TEXT(stage)},
-    {OPTION_STAGE_OR_EVERY, "--stage", "S", "all (default; without exact), or" NEXT ONE_STAGE,
-     TEXT(stage)},
-    {OPTION_STAGE_TRACED, "--stage", "S", "1 2 3 4 5, or a folder's name", TEXT(stage)},
+    {OPTION_STAGE, "--stage", "S", ONE_STAGE ";" NEXT
+     "in accuracy and bench also all: the five, and the coda" NEXT
+     "where it runs; in bench, by default, the segments too", TEXT(stage)},
     {OPTION_STAGES, "--stages", "A,B", "two, each" NEXT ONE_STAGE, TEXT(stages)},
-    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh", TEXT(scene)},
-    {OPTION_SCENE_OR_ALL, "--scene", "NAME", "room, wall, floor, mesh or all (default)",
+    {OPTION_SCENE, "--scene", "NAME", "room, wall, floor or mesh; in bench also all (default)",
      TEXT(scene)},
     {OPTION_FRAME, "--frame", "K", "of the scene, 0 to 255; only the room moves (default 0)",
      NUMBER(frame, 0, SCENE_FRAMES - 1)},
@@ -88,9 +83,8 @@ static const struct rule rules[] = {
      "a vertex, `x y z u v` (pixels, depth, texels). # starts" NEXT
      "a comment; `# size WxH` in a line says the frame's size",
      TEXT(triangles)},
-    {OPTION_SIZE, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 640x480)", SIZE},
-    {OPTION_SIZE_BENCH, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 1024x768)",
-     SIZE},
+    {OPTION_SIZE, "--size", "WxH", "the frame, 1 to 4096 pixels a side (default 640x480, in" NEXT
+     "bench 1024x768)", SIZE},
     {OPTION_TEXTURE, "--texture", "T",
      "own (default), coord (R=u, G=v; .tri files' own)," NEXT
      "checker, or a P6 .ppm file, its sides powers of two",

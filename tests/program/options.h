@@ -23,13 +23,7 @@ enum option {
     OPTION_SECONDS = 1 << 11,
     OPTION_TRIANGLE = 1 << 12,
     OPTION_ROW = 1 << 13,
-    /* Where a command takes more, or less. */
-    OPTION_STAGE_OR_ALL = 1 << 15,   /* all: the five stages, and the coda where it runs */
-    OPTION_STAGE_OR_EVERY = 1 << 16, /* all: these, and stage 4's other segments */
-    OPTION_STAGE_TRACED = 1 << 17,
-    OPTION_SCENE_OR_ALL = 1 << 18,
-    OPTION_SIZE_BENCH = 1 << 19,
-    OPTION_FOLDER = 1 << 20,
+    OPTION_FOLDER = 1 << 14,
 };
 
 /* What says which triangles to draw, and on a frame of which size: see tests/program/source.h. */

@@ -1,6 +1,5 @@
 /* texmap trace: what a stage computed for one triangle, or one row of it, pixel by pixel. */
 #include <stdio.h>
-#include <string.h>
 #include "tests/files/file.h"
 #include "tests/program/commands.h"
 #include "tests/program/source.h"
@@ -52,14 +51,10 @@ static bool trace_source(const struct source *source, const struct stage *stage,
     return done;
 }
 
-/* To standard output where the path is -; main() looks whether that arrived. */
 static bool write_csv(const char *path, const struct trace *trace, struct error *error)
 {
-    if (strcmp(path, "-") == 0) {
-        trace_write_csv(stdout, trace);
-        return true;
-    }
     FILE *file = file_create(path, error);
+
     if (!file) {
         return false;
     }
@@ -98,7 +93,5 @@ const struct command command_trace = {
     "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE]",
     "Shows what a stage, 1 to 5, computed for one triangle: along its edges and in\n"
     "its pixels, with the exact answer beside them; of stage 5 each instruction of\n"
-    "its assembly. With --csv there, in place of the table; where FILE is -, to\n"
-    "standard output.",
-    OPTION_STAGE_TRACED | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV,
-    OPTION_STAGE_TRACED, run};
+    "its assembly. With --csv there, in place of the table.",
+    OPTION_STAGE | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV, OPTION_STAGE, run};

@@ -56,13 +56,9 @@ const struct measure *measure_find(const char *name)
 
 struct stability_stages stability_stages(void)
 {
-    struct stability_stages chosen = {.count = 0};
+    struct stability_stages chosen;
 
-    for (const struct stage *stage = stages; stage->name; stage++) {
-        if (!stage->variant && chosen.count < STABILITY_STAGES) {
-            chosen.items[chosen.count++] = stage;
-        }
-    }
+    chosen.count = stages_parse("all", false, chosen.items, NULL);
     return chosen;
 }
 

@@ -196,8 +196,8 @@ pair='--stage 2 --triangles pair.tri --size 40x20'
 test_that 'trace: by default triangle 0, all its rows' traces 7 '^row ' $pair
 test_that 'trace --row: that one' eval 'traces 1 "^row " $pair --row 8 && shows 1 "^row 8$"'
 test_that 'trace of a triangle without area' traces 1 'draws nothing' $pair --triangle 1
-test_that 'trace --csv: to a file, or with - to standard output' eval \
-    'quiet texmap trace $pair --csv a.csv && quiet texmap trace $pair --csv - > b.csv &&
+test_that 'trace --csv: to a file, which may be standard output' eval \
+    'quiet texmap trace $pair --csv a.csv && quiet texmap trace $pair --csv /dev/stdout > b.csv &&
     cmp a.csv b.csv && grep -q "^pixel," a.csv'
 for stage in 1 2 3 4; do
     error=$((stage > 1)) segment=$((stage == 4))
@@ -280,7 +280,7 @@ refused 'scene --scene wall --size 8x8 -o' missing/out.tri folder "''"
 refused 'trace --triangles pair.tri --size 40x20' '' '--stage exact' '--stage segment_8' '--stage 9'
 refused "trace $pair" '--triangle 2' '--triangle -1' '--triangle 2147483648' --triangle '--row 1' \
     '--row 9' '--row 4096' '--triangle 1 --row 5' '--row 9 --csv out.csv' '--csv missing/out.csv' \
-    "--csv ''" '--csv -x/out.csv' '--texture checker' '--csv /dev/full' '--csv - > /dev/full'
+    "--csv ''" '--csv -x/out.csv' '--texture checker' '--csv /dev/full' '--csv /dev/stdout > /dev/full'
 refused 'diff --scene wall --size 8x8 -o out.png --stages' 2 2,9 ,2 2,3,4
 refused 'diff --scene wall --size 8x8 --stages 2,3' '-o out.gif' '--max-pixels -1'
 test_that 'chart names the column that is missing' eval \
