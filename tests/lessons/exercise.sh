@@ -64,8 +64,8 @@ judge() {
     return $status
 }
 
-# Does exercise $1, changed by the script of the name $2, or as it is at the start, pass or fail as it
-# should? Prints a line.
+# Does exercise $1, changed by the script of the name $2, or as it is at the start, pass or fail
+# as it should? Prints a line.
 prove_one() {
     made=$build/exercises_proven/$1/$2
     rm -rf "$made"

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include "tests/trace/steps.h"
 
+#include <assert.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -210,17 +211,17 @@ static void add_steps(const struct segment *segments)
 /* Adds the call that was just run. False when there is no memory. */
 static bool add_call(const struct segment *segments, int count)
 {
+    /* What comes before the groups; then each of them is set up, and drawn. */
+    const int groups_most = target->group_count + 1 + 2 * count / STEPS_LANES;
     const int call =
         target->group_count > 0 ? target->groups[target->group_count - 1].call + 1 : 0;
     struct step *items =
         realloc(target->items, (size_t)(target->count + state_count) * sizeof *items);
-    target->items = items ? items : target->items;
-    /* Each of the groups is set up, then drawn; and what comes before them. */
-    const int groups_most = target->group_count + 1 + 2 * count / STEPS_LANES;
-    struct step_group *groups =
-        realloc(target->groups, (size_t)groups_most * sizeof *groups);
-    target->groups = groups ? groups : target->groups;
 
+    target->items = items ? items : target->items;
+    struct step_group *groups = realloc(target->groups, (size_t)groups_most * sizeof *groups);
+    target->groups = groups ? groups : target->groups;
+    assert(state_count < STATES_MAX); /* or the last are missing */
     if (!items || !groups) {
         return false;
     }

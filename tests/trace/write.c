@@ -17,30 +17,23 @@ static const struct {
     enum digits digits;
 } columns[] = {
     {"x", "x", 4, WHOLE},
-    {"short", NULL, 0, 0}, /* is it the triangle's long edge, 0, or a short one, 1? */
+    {"y", NULL, 0, 0},
+    {"left_short", NULL, 0, 0}, /* 0: the left edge is the triangle's long one */
+    {"short", NULL, 0, 0},      /* 0: this edge is */
     {"x_step", "step", 0, 0},
     {"error", "error", 0, 0},
-    {"numerator", "numerator", 0, 0},
-    {"denominator", "denominator", 0, 0},
-    {"count", "count", 0, 0},
-    {"length", "length", 0, 0},
+    {"numerator", "numerator", 0, 0}, {"denominator", "denominator", 0, 0},
+    {"count", "count", 0, 0}, {"length", "length", 0, 0},
     {"one_over_z", "1/z", 9, SIGNIFICANT},
-    {"u_over_z", "u/z", 9, SIGNIFICANT},
-    {"v_over_z", "v/z", 9, SIGNIFICANT},
+    {"u_over_z", "u/z", 9, SIGNIFICANT}, {"v_over_z", "v/z", 9, SIGNIFICANT},
     {"one_over_z_dx", "d(1/z)/dx", 0, 0},
-    {"u_over_z_dx", "d(u/z)/dx", 0, 0},
-    {"v_over_z_dx", "d(v/z)/dx", 0, 0},
+    {"u_over_z_dx", "d(u/z)/dx", 0, 0}, {"v_over_z_dx", "d(v/z)/dx", 0, 0},
     {"z", "z", 8, DECIMALS},
-    {"u", "u", 9, DECIMALS},
-    {"v", "v", 9, DECIMALS},
-    {"u_end", "u_end", 0, 0},
-    {"v_end", "v_end", 0, 0},
-    {"u_16_16", "U", 12, WHOLE},
-    {"v_16_16", "V", 12, WHOLE},
-    {"u_step_16_16", "U_step", 0, 0},
-    {"v_step_16_16", "V_step", 0, 0},
-    {"texel_u", "texel", 6, WHOLE},
-    {"texel_v", "", 5, WHOLE},
+    {"u", "u", 9, DECIMALS}, {"v", "v", 9, DECIMALS},
+    {"u_end", "u_end", 0, 0}, {"v_end", "v_end", 0, 0},
+    {"u_16_16", "U", 12, WHOLE}, {"v_16_16", "V", 12, WHOLE},
+    {"u_step_16_16", "U_step", 0, 0}, {"v_step_16_16", "V_step", 0, 0},
+    {"texel_u", "texel", 6, WHOLE}, {"texel_v", "", 5, WHOLE},
 };
 
 #define COLUMNS (sizeof columns / sizeof columns[0])

@@ -82,6 +82,21 @@ static void check_csv(const struct trace *trace, const struct csv *csv)
           pixels, wrong);
 }
 
+/* The gradients alone have none: no line shows them. */
+static void check_columns(const struct trace *trace, const struct csv *csv)
+{
+    for (int kind = TRACE_KIND_EDGE; kind < TRACE_KINDS; kind++) {
+        char names[256];
+        snprintf(names, sizeof names, "%s", trace_names[trace->number][kind]);
+        for (char *name = strtok(names, " "); name; name = strtok(NULL, " ")) {
+            struct error error;
+            size_t column;
+            check(csv_column(csv, name, &column, &error),
+                  "the CSV has a column for each value that a stage hands over", "%s", error.text);
+        }
+    }
+}
+
 /* Stage 5: each pixel of the frame is where one step's row and column say. */
 static void check_stores(const struct trace *trace, const struct csv *csv)
 {
@@ -117,6 +132,7 @@ void test_trace_csv(const struct stage *stage, const struct triangle *triangle,
     if (check(text && csv_parse(stage->name, text, &csv, &error), "the CSV is one", "%s",
               error.text)) {
         check_csv(&trace, &csv);
+        check_columns(&trace, &csv);
         if (trace.steps.count > 0) {
             check_stores(&trace, &csv);
         }
