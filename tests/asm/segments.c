@@ -1,7 +1,7 @@
 /* The group `asm`: stage5_draw_segments against its twin in C: segments of every length, at every
  * alignment, with every texture, in memory with guard pages, by a caller that looks at what came
- * back. The structures are stage 5's own: its source is included, and the triangle's function has to
- * have another name than the one in the program. TEXMAP_SEGMENTS in the environment: how many
+ * back. The structures are stage 5's own: its source is included, and the triangle's function has
+ * to have another name than the one in the program. TEXMAP_SEGMENTS in the environment: how many
  * segments, at least, are drawn both ways. */
 #include <math.h>
 #include <stdio.h>

@@ -506,12 +506,20 @@ bool judge_case(struct judge *judge, const struct stage *stage, const struct jud
            describe(stage, one, text, one->count == 1 ? 0 : one->count);
 }
 
+bool judge_wants(const struct stage *stage)
+{
+    const char *only = getenv("TEXMAP_STAGE");
+
+    return !only || strcmp(stage->name, only) == 0;
+}
+
 bool judge_stages(struct judge *judge, const struct judge_case *one, char text[JUDGE_TEXT])
 {
     const bool large = one->width * one->height > LARGE;
 
     for (const struct stage *stage = stages; stage->name; stage++) {
-        if (!(large && stage->variant) && !judge_case(judge, stage, one, text)) {
+        if (judge_wants(stage) && !(large && stage->variant) &&
+            !judge_case(judge, stage, one, text)) {
             return false;
         }
     }

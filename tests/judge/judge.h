@@ -56,7 +56,10 @@ bool judge_clean(const struct judge *judge, char text[JUDGE_TEXT]);
 bool judge_case(struct judge *judge, const struct stage *stage, const struct judge_case *one,
                 char text[JUDGE_TEXT]);
 
-/* The same in every stage. */
+/* Is this stage to be judged? TEXMAP_STAGE=NAME in the environment: no other is. */
+bool judge_wants(const struct stage *stage);
+
+/* The same in every stage that is to be judged. */
 bool judge_stages(struct judge *judge, const struct judge_case *one, char text[JUDGE_TEXT]);
 
 #endif

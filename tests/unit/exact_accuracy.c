@@ -18,7 +18,7 @@
 #define SLOPE_V 0.52159f
 #define LOW 2 /* the square's pixels: LOW..HIGH-1, both ways */
 #define HIGH 62
-#define MANY 20000 /* triangles */
+#define MANY 10000 /* triangles */
 #define SWIM_U 0.25 /* texels: far more than a step of the ruler */
 #define SWIM_V 0.125
 #define CROSSING 1e-4 /* texel: scaled u and v are floats, and cross a step now and then */

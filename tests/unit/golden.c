@@ -121,22 +121,21 @@ bool golden_renew(struct error *error)
 /* A line, without its newline, against that in the file with the same four words in front. */
 static void compare(const char *line, const char *before)
 {
-    char name[LINE_LENGTH], stage[LINE_LENGTH], scene[LINE_LENGTH], size[LINE_LENGTH];
+    char name[LINE_LENGTH], begin[LINE_LENGTH];
+    char stage[LINE_LENGTH], scene[LINE_LENGTH], size[LINE_LENGTH];
     int frame = 0, key = 0;
 
     sscanf(line, "%159s %159s %d %159s %n", stage, scene, &frame, size, &key);
     snprintf(name, sizeof name, "golden: %.*sis what it was", key, line);
-    while (before && strncmp(before, line, (size_t)key) != 0) {
-        before = strchr(before, '\n');
-        before = before ? before + 1 : NULL;
-    }
-    const int length = before ? (int)strcspn(before, "\n") : 0;
-    check((size_t)length == strlen(line) && strncmp(before, line, strlen(line)) == 0, name,
+    snprintf(begin, sizeof begin, "\n%.*s", key, line);
+    const char *found = strstr(before, begin), *was = found ? found + 1 + key : "none";
+    const size_t length = strcspn(was, "\n");
+    check(length == strlen(line + key) && strncmp(was, line + key, length) == 0, name,
           "its digest, and how many pixels differ from the exact answer: before %.*s, now %s.\n"
           "     As a picture: build/texmap diff --stages %s,exact --scene %s --frame %d "
           "--size %s -o build/golden.png\n"
-          "     Where it is meant, `make golden` renews the digests", before ? length - key : 4,
-          before ? before + key : "none", line + key, stage, scene, frame, size);
+          "     Where it is meant, `make golden` renews the digests", (int)length, was, line + key,
+          stage, scene, frame, size);
 }
 
 void test_golden(void)
