@@ -186,7 +186,7 @@ static void label_stages(struct panel *panel, const struct series *stages, bool 
         }
         panel_label(panel, place(panel, row), SVG_MARK_RADIUS,
                     &(struct text_style){large ? 14 : 12, "middle", coda ? "s1 bold" : "s0 bold"},
-                    false, name);
+                    name);
     }
 }
 
@@ -199,7 +199,7 @@ static void label_segments(struct panel *panel, const struct series *segments)
             snprintf(text, sizeof text, "%d px", row->segment);
         }
         if (row->mark == 0) {
-            panel_label(panel, place(panel, row), SVG_HOLLOW_RADIUS, &segment_style, true, text);
+            panel_label(panel, place(panel, row), SVG_HOLLOW_RADIUS, &segment_style, text);
         }
     }
 }

@@ -168,14 +168,14 @@ static bool is_free(const struct panel *panel, struct box box)
     return true;
 }
 
-bool panel_label(struct panel *panel, struct point at, double radius,
-                 const struct text_style *style, bool optional, const char *text)
+void panel_label(struct panel *panel, struct point at, double radius,
+                 const struct text_style *style, const char *text)
 {
     static const struct point directions[] = {{1, 0},  {-1, 0},  {0, -1}, {0, 1},
                                               {1, -1}, {-1, -1}, {1, 1},  {-1, 1}};
     const double half_width = svg_text_width(text, style) / 2, half_height = style->size / 2;
 
-    for (int i = 0; i < 8 * (optional ? 1 : LABEL_RINGS); i++) {
+    for (int i = 0; i < 8 * LABEL_RINGS; i++) {
         const struct point side = directions[i % 8];
         const double distance = radius + LABEL_GAP + i / 8 * LABEL_STEP;
         const double x = at.x + side.x * (distance + half_width);
@@ -188,8 +188,7 @@ bool panel_label(struct panel *panel, struct point at, double radius,
             panel_take(panel, box);
             svg_text(panel->out, (struct point){x - side.x * half_width,
                                                 y + style->size * TEXT_DROP}, &beside, text);
-            return true;
+            return;
         }
     }
-    return false;
 }

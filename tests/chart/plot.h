@@ -48,10 +48,10 @@ void panel_mark(struct panel *panel, struct point at, int series, bool filled,
                 const char *tooltip);
 
 /* Writes a label beside a mark, once all marks are drawn: right of it, or where that is taken left,
- * above, below or at a corner; or else a little further out, unless it is `optional`. One that
- * finds no place in the panel is left out: false. `style` is anchored in the middle. */
-bool panel_label(struct panel *panel, struct point at, double radius,
-                 const struct text_style *style, bool optional, const char *text);
+ * above, below or at a corner; or else a little further out. One that finds no place in the panel is
+ * left out. `style` is anchored in the middle. */
+void panel_label(struct panel *panel, struct point at, double radius,
+                 const struct text_style *style, const char *text);
 
 bool boxes_overlap(struct box a, struct box b);
 

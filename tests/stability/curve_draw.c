@@ -55,7 +55,7 @@ static void draw_label(struct panel *panel, const struct curve *curve, int numbe
     snprintf(text, sizeof text, "%.*s", (int)strcspn(series->name, "_"), series->name);
     snprintf(class, sizeof class, "s%d bold", series->style);
     panel_label(panel, at(panel, curve, number, curve->points - 1), SVG_HOLLOW_RADIUS,
-                &(struct text_style){TEXT, "middle", class}, false, text);
+                &(struct text_style){TEXT, "middle", class}, text);
 }
 
 void curve_draw(FILE *file, const struct curve *curve)
