@@ -7,16 +7,10 @@
 #include <sched.h>
 #endif
 
-#ifndef TEXMAP_FLAGS
-#define TEXMAP_FLAGS "unknown"
-#endif
-
-#if defined __clang__
+#ifdef __clang__
 #define COMPILER __VERSION__
-#elif defined __GNUC__
-#define COMPILER "gcc " __VERSION__
 #else
-#define COMPILER "unknown"
+#define COMPILER "gcc " __VERSION__
 #endif
 
 #define LINE_LENGTH 512

@@ -48,8 +48,8 @@ void panel_mark(struct panel *panel, struct point at, int series, bool filled,
                 const char *tooltip);
 
 /* Writes a label beside a mark, once all marks are drawn: right of it, or where that is taken left,
- * above, below or at a corner; or else a little further out. One that finds no place in the panel is
- * left out. `style` is anchored in the middle. */
+ * above, below or at a corner; or else a little further out. One that finds no place in the panel
+ * is left out. `style` is anchored in the middle. */
 void panel_label(struct panel *panel, struct point at, double radius,
                  const struct text_style *style, const char *text);
 

@@ -11,10 +11,6 @@ struct error {
 
 /* Writes the line printf-style, cut to fit, and returns false, so that a caller can write
  * `return error_set(error, "%s: %s", path, what);`. */
-bool error_set(struct error *error, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+__attribute__((format(printf, 2, 3))) bool error_set(struct error *error, const char *format, ...);
 
 #endif

@@ -20,6 +20,13 @@ static struct {
     sigset_t signals; /* those that were blocked before */
 } pending;
 
+bool path_ends_in(const char *path, const char *ending)
+{
+    const size_t length = strlen(path), end = strlen(ending);
+
+    return length >= end && strcmp(path + length - end, ending) == 0;
+}
+
 static bool fail(const char *path, int reason, struct error *error)
 {
     return error_set(error, "%s: cannot be written: %s", path, strerror(reason));

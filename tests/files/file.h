@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include "tests/files/error.h"
 
+bool path_ends_in(const char *path, const char *ending);
+
 /* Opens an output for writing. A regular file is written under another name in its folder, and is
  * renamed by file_finish: until then what was there stays, and SIGINT, SIGTERM and SIGHUP wait. A
  * link stays, what it points to is replaced. A device, a pipe or a file that is standard output

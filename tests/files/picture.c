@@ -1,7 +1,6 @@
 #include "tests/files/picture.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include "tests/files/file.h"
 
 unsigned char *put_rgb(unsigned char *out, const struct image *image, int y)
@@ -21,13 +20,7 @@ typedef bool encoder(const struct image *image, unsigned char **bytes, size_t *s
 /* The encoder that the path's ending asks for, or NULL. */
 static encoder *encoder_of(const char *path)
 {
-    size_t length = strlen(path);
-    const char *ending = length < 4 ? "" : path + length - 4;
-
-    if (strcmp(ending, ".png") == 0) {
-        return png_encode;
-    }
-    return strcmp(ending, ".ppm") == 0 ? ppm_encode : NULL;
+    return path_ends_in(path, ".png") ? png_encode : path_ends_in(path, ".ppm") ? ppm_encode : NULL;
 }
 
 bool image_path_valid(const char *path, struct error *error)

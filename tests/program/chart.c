@@ -1,15 +1,13 @@
 /* texmap chart: draws speed against accuracy from what `texmap bench` wrote. */
-#include <string.h>
 #include "tests/chart/chart.h"
 #include "tests/files/file.h"
 #include "tests/program/commands.h"
 
 static bool write(const char *path, const struct chart *chart, struct error *error)
 {
-    const char *dot = strrchr(path, '.');
     FILE *file = NULL;
 
-    if (!dot || strcmp(dot, ".svg") != 0) {
+    if (!path_ends_in(path, ".svg")) {
         return error_set(error, "%s: a chart's name must end in .svg", path);
     }
     if ((file = file_create(path, error))) {

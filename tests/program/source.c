@@ -1,3 +1,4 @@
+#include "tests/files/file.h"
 #include "tests/files/picture.h"
 #include "tests/files/tri.h"
 #include "tests/program/source.h"
@@ -42,12 +43,6 @@ static bool choose(struct source *source, const struct options *options, struct 
     return true;
 }
 
-static bool ends_in_ppm(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".ppm") == 0;
-}
-
 static bool load_textures(struct source *source, const char *name, struct error *error)
 {
     for (int id = 0; id < TEXTURE_COUNT; id++) {
@@ -62,7 +57,7 @@ static bool load_textures(struct source *source, const char *name, struct error 
         const enum texture_id id = strcmp(name, "coord") == 0 ? TEXTURE_COORD : TEXTURE_CHECKER;
         return texture_create(&source->chosen, id) || error_set(error, "textures: no memory");
     }
-    if (!ends_in_ppm(name)) {
+    if (!path_ends_in(name, ".ppm")) {
         return error_set(error, "--texture %s: not own, coord, checker or a .ppm file", name);
     }
     return ppm_read_texture(name, &source->chosen, error);

@@ -277,7 +277,8 @@ refused 'scene --scene wall --size 8x8 -o' missing/out.tri folder "''"
 refused 'trace --triangles pair.tri --size 40x20' '' '--stage exact' '--stage segment_8' '--stage 9'
 refused "trace $pair" '--triangle 2' '--triangle -1' '--triangle 2147483648' --triangle '--row 1' \
     '--row 9' '--row 4096' '--triangle 1 --row 5' '--row 9 --csv out.csv' '--csv missing/out.csv' \
-    "--csv ''" '--csv -x/out.csv' '--texture checker' '--csv /dev/full' '--csv /dev/stdout > /dev/full'
+    "--csv ''" '--csv -x/out.csv' '--texture checker' '--csv /dev/full' \
+    '--csv /dev/stdout > /dev/full'
 refused 'diff --scene wall --size 8x8 -o out.png --stages' 2 2,9 ,2 2,3,4
 refused 'diff --scene wall --size 8x8 --stages 2,3' '-o out.gif' '--max-pixels -1'
 test_that 'chart names the column that is missing' eval \
