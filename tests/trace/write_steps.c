@@ -37,6 +37,7 @@ static const struct {
     {"line_setup", "andps ", 5, "sign of du"},     {"line_setup", "andps ", 7, "sign of dv"},
     {"line_setup", "orps ", 5, "1/2 as du"},       {"line_setup", "orps ", 7, "1/2 as dv"},
     {"line_setup", "paddd ", 0, "u + 1/2"},        {"line_setup", "paddd ", 1, "v + 1/2"},
+    {"line_setup", "psubd ", 0, "u + 1/2"},        {"line_setup", "psubd ", 1, "v + 1/2"},
     {"line_setup", "", 2, "step of u"},            {"line_setup", "", 3, "step of v"},
     {"line_setup", "", 6, "v falls"},
     {"fetch", "movdqa ", 4, "bits of u"},          {"fetch", "movdqa ", 5, "bits of v"},

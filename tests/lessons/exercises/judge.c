@@ -111,9 +111,8 @@ static struct accuracy accuracy_of(const struct subject *subject, const struct s
     struct accuracy accuracy;
     struct meter meter;
 
-    require(meter_create(&meter, source->size.width, source->size.height) &&
-                accuracy_frame(&meter, &source->triangles, &subject->own, &accuracy),
-            "no memory");
+    require(meter_create(&meter, source->size.width, source->size.height), "no memory");
+    require(accuracy_frame(&meter, &source->triangles, &subject->own, &accuracy), "no memory");
     meter_destroy(&meter);
     return accuracy;
 }
@@ -183,7 +182,7 @@ struct check {
 
 static const char *const units[] = {
     [RANDOM_CASES] = "% of cases wrong",
-    [TURNED_CASES] = "% of cases wrong, turned by half a turn",
+    [TURNED_CASES] = "% of cases wrong when turned by half a turn",
     [WRONG_TEXELS] = "% of texels wrong",
     [RMS_ERROR] = "texel of position error, RMS",
     [LARGEST_ERROR] = "texel of position error",
