@@ -115,7 +115,7 @@ esac
 shift 3
 objects=$*
 folder=$build/exercise/$exercise
-[ -d "$folder" ] || start "$exercise" "$folder" || exit 2
+[ -d "$folder" ] || start "$exercise" "$folder" || { rm -rf "$folder" && exit 2; }
 cat "$lessons/$exercise/task.txt"
 echo
 echo "Your copy (make clean, or deleting it, starts anew):"
