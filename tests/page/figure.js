@@ -123,7 +123,7 @@ class Figure {
         }
       }
     }
-    label(c, "x \u2192", MARGIN - 10, MARGIN - 14);
+    label(c, "x", MARGIN / 2, MARGIN - 12);
     if (cell >= 12) {
       this.eachPixel((i, j) => {
         const [cx, cy] = this.toCanvas(i, j);

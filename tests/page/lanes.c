@@ -20,20 +20,21 @@ static const struct recording {
      {{1, 1, 1, 0, 0}, {9, 3, 2, 24, 0}, {1, 9, 4, 0, 24}}},
 };
 
-/* Line, register, meaning, lanes; and of a store its lane and pixel. */
+/* What it changed, lane by lane; and of a store its lane and pixel. */
 static void print_step(FILE *out, const struct trace *trace, const struct step *step)
 {
     const struct step_text text = trace_step_text(trace, step);
 
-    fprintf(out, "[%d,\"%s\",\"%s\",[", step->line, text.reg, text.meaning);
+    fprintf(out, "{\"line\":%d,\"macro\":\"%s\",\"register\":\"%s\",\"meaning\":\"%s\","
+            "\"lanes\":[", step->line, steps_line(step->line)->macro, text.reg, text.meaning);
     for (int i = 0; i < text.count; i++) {
         fprintf(out, "%s\"%s\"", i ? "," : "", text.lanes[i]);
     }
     fputs("]", out);
     if (step->lane >= 0) {
-        fprintf(out, ",%d,%d", step->lane, step->pixel);
+        fprintf(out, ",\"lane\":%d,\"pixel\":%d", step->lane, step->pixel);
     }
-    fputs("]", out);
+    fputs("}", out);
 }
 
 static void print_recording(FILE *out, const struct trace *trace, const char *name)

@@ -1,31 +1,26 @@
 /* Stage 5's assembly, step by step: recordings of the real routine, four lanes side by side. */
 
-const LANES = 4;
+const LANES = 4, LANE_NUMBERS = "0123";
 /* The function of stage 4 that a macro of span.S does for four segments. */
 const STAGE4_OF = { texel_at: "texel_at", line_setup: "line_setup", fetch: "draw_segment" };
+
+/* The lanes that a register belongs to, by what it holds: "end 2 and 3", "lane 0 goes to". */
+const ownersOf = (meaning) =>
+  (/^lane \d|\d and \d$/.exec(meaning) || [LANE_NUMBERS])[0].replace(/\D/g, "");
 
 class Lanes extends Part {
   constructor(recordings) {
     super("assembly", { at: whole(undefined, 0, 1e6),
       recording: oneOf(0, recordings.map(({ name }, i) => [i, name])) });
     this.recordings = recordings;
-    this.stage4 = byId("source-4").textContent.split("\n");
-    this.source = byId("source-5").textContent.split("\n");
-    numberLines(byId("lanes-source"), this.source);
-    let macro = ""; /* that a line is in */
-    this.macros = this.source.map((text) => {
-      const [, begins, ends] = /^ *\.(?:macro +(\w+)|(endm))/.exec(text) || [];
-      const now = macro;
-      macro = begins || (ends ? "" : macro);
-      return now;
-    });
+    numberLines(byId("lanes-source"), sourceOf(5));
     this.set({ recording: 0 });
   }
 
   /* Another recording begins where a lane changes first, but where a step is named. */
   set({ recording = this.state.recording, at }) {
     this.steps = this.recordings[recording].steps;
-    const first = this.steps.findIndex((step) => step[2]);
+    const first = this.steps.findIndex(({ meaning }) => meaning);
     super.set({ recording, at: clamp(at ?? first, 0, this.steps.length - 1) });
   }
 
@@ -33,15 +28,11 @@ class Lanes extends Part {
     this.set({ at });
   }
 
-  macro(i) {
-    return this.macros[this.steps[i][0] - 1];
-  }
-
   /* A macro's call counts as one line. */
   line() {
+    const goesOn = ({ macro, line }, last) => macro && macro === last.macro && line > last.line;
     let i = this.state.at + 1;
-    while (i < this.steps.length - 1 && this.macro(i) && this.macro(i) === this.macro(i - 1) &&
-           this.steps[i][0] > this.steps[i - 1][0]) {
+    while (i < this.steps.length - 1 && goesOn(this.steps[i], this.steps[i - 1])) {
       i++;
     }
     this.go(i);
@@ -49,7 +40,7 @@ class Lanes extends Part {
 
   /* To where all lanes have stored their next pixel. */
   pixel() {
-    const i = this.steps.findIndex((step, k) => k > this.state.at && step[4] === LANES - 1);
+    const i = this.steps.findIndex(({ lane }, k) => k > this.state.at && lane === LANES - 1);
     this.go(i < 0 ? this.steps.length - 1 : i);
   }
 
@@ -57,8 +48,7 @@ class Lanes extends Part {
   held() {
     const registers = new Map(), stored = Array.from({ length: LANES }, () => []);
     const done = this.steps.slice(0, this.state.at + 1);
-    for (const [line, register, meaning, all, lane, pixel] of done) { /* cvtpd2ps makes two */
-      const lanes = /cvtpd2ps/.test(this.source[line - 1]) ? all.slice(0, 2) : all;
+    for (const { register, meaning, lanes, lane, pixel } of done) {
       if (lane !== undefined) {
         stored[lane][pixel] = lanes[0];
       } else if (meaning || registers.has(register)) {
@@ -76,14 +66,14 @@ class Lanes extends Part {
   draw() {
     const { registers, stored } = this.held(), step = this.steps[this.state.at];
     byId("lanes-count").textContent = `Instruction ${this.state.at + 1} of ${this.steps.length}` +
-      (step[2] ? `: ${step[1]}, ${step[2]}` : "");
+      (step.meaning ? `: ${step.register}, ${step.meaning}` : "");
     this.drawPixels(stored, step);
     this.drawRegisters(registers, step);
-    this.drawSources();
+    this.drawSources(step);
   }
 
   /* A row for each lane, with the texel's u in the pixels that are stored. */
-  drawPixels(stored, [, , , , lane, pixel]) {
+  drawPixels(stored, { lane, pixel }) {
     const { segments } = this.recordings[this.state.recording];
     byId("lanes-pixels").replaceChildren(...segments.map(([x, y, count], own) => element("tr", {},
       element("th", { scope: "row" }, `lane ${own}: ${x}, ${y}`),
@@ -92,24 +82,23 @@ class Lanes extends Part {
         (stored[own][i] || "").slice(1).split(" ")[0])))));
   }
 
-  drawRegisters(registers, [, changed]) {
+  drawRegisters(registers, { register: changed }) {
     const rows = [...registers].sort(([a], [b]) => a.localeCompare(b, "en", { numeric: true }))
       .map(([name, { meaning, lanes }]) => element("tr",
         name === changed ? { class: "changed" } : {},
         element("th", { scope: "row" }, name), element("td", {}, meaning),
-        ...Array.from({ length: LANES }, (_, i) => element("td", {},
-          /^lane/.test(meaning) ? (meaning[5] === String(i) ? lanes[0] : "")
-            : lanes[/2 and 3/.test(meaning) ? i - 2 : i] ?? ""))));
+        ...Array.from(LANE_NUMBERS, (i) => element("td", {},
+          lanes[ownersOf(meaning).indexOf(i)] ?? ""))));
     byId("lanes-registers").replaceChildren(
       heads("register", "holds", "lane 0", "lane 1", "lane 2", "lane 3"),
       element("tbody", {}, ...rows));
   }
 
-  drawSources() {
-    markLines(byId("lanes-source"), [this.steps[this.state.at][0] - 1]);
-    const name = STAGE4_OF[this.macro(this.state.at)] || "draw_span";
-    const from = this.stage4.findIndex((text) => new RegExp(`^static .*\\b${name}\\(`).test(text));
-    const to = this.stage4.findIndex((text, i) => i > from && text === "}");
-    byId("lanes-stage4").textContent = this.stage4.slice(from, to + 1).join("\n");
+  drawSources({ line, macro }) {
+    markLines(byId("lanes-source"), [line - 1]);
+    const begins = new RegExp(`^static .*\\b${STAGE4_OF[macro] || "draw_span"}\\(`);
+    const stage4 = sourceOf(4), from = stage4.findIndex((text) => begins.test(text));
+    byId("lanes-stage4").textContent =
+      stage4.slice(from, stage4.indexOf("}", from) + 1).join("\n");
   }
 }

@@ -14,7 +14,6 @@ class Panels {
     document.querySelectorAll(".errors").forEach((list) =>
       list.append(...ERROR_CLASSES.map(([name, text]) => element("li", {},
         element("i", { class: "key", style: `background: var(--${name})` }), text))));
-    this.sources = STEPPED.map((n) => byId(`source-${n}`).textContent.split("\n"));
   }
 
   draw(stepper, event) {
@@ -49,7 +48,7 @@ class Panels {
 
   /* The stage's file, the lines that were run in sight and marked. */
   drawSource(place, stage, event) {
-    const lines = this.sources[stage - 1], pre = place.querySelector("pre");
+    const lines = sourceOf(stage), pre = place.querySelector("pre");
     if (pre.dataset.stage !== String(stage)) {
       pre.dataset.stage = stage;
       numberLines(pre, lines);
@@ -85,7 +84,10 @@ class Panels {
   }
 }
 
-/* A source's lines with their numbers, each an element; and some of them marked and in sight. */
+/* A stage's source, as the page has it: its lines; with their numbers, each an element; and some of
+ * them marked and in sight. */
+const sourceOf = (stage) => byId(`source-${stage}`).textContent.split("\n");
+
 function numberLines(pre, lines) {
   delete pre.dataset.marked;
   pre.replaceChildren(...lines.map((text, i) => element("span",

@@ -31,9 +31,9 @@ static void print_row(FILE *out, const struct stage *stage, const struct accurac
             a->bias_u, a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
 }
 
-#define HEAD "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\">" \
-    "<table><caption>The room, frame %d, %dx%d pixels, against the exact answer; coda: " \
-    "an exact method after stage 5, a divide for every pixel, eight at a time</caption><thead>" \
+#define HEAD "<p class=\"hint\">The room, frame %d, %dx%d pixels, against the exact answer; " \
+    "coda: an exact method after stage 5, a divide for every pixel, eight at a time.</p>\n" \
+    "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Accuracy\"><table><thead>" \
     "<tr><th scope=\"col\">stage</th><th scope=\"col\">wrong texels</th>" \
     "<th scope=\"col\">position, RMS texels</th><th scope=\"col\">bias of u</th>" \
     "<th scope=\"col\">bias of v</th><th scope=\"col\">largest error, texels</th>" \
