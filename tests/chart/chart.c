@@ -9,27 +9,18 @@
 #define STAGE4_SEGMENT 16       /* what stage 4 itself uses: its row is a point of the curve too */
 #define SEGMENT_LENGTH_MAX 4096 /* a frame's longest span */
 
-/* A field of row i. */
-static bool load_number(const struct csv *csv, size_t i, const char *name, enum csv_range range,
-                        double *value, struct error *error)
+/* Those of row i. */
+static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row, struct error *e)
 {
-    size_t column;
-    return csv_column(csv, name, &column, error) &&
-           csv_number(csv, i, column, range, value, error);
-}
-
-static bool load_numbers(const struct csv *csv, size_t i, struct chart_row *row,
-                         struct error *e)
-{
-    return load_number(csv, i, "width", CSV_POSITIVE, &row->width, e) &&
-           load_number(csv, i, "height", CSV_POSITIVE, &row->height, e) &&
-           load_number(csv, i, "wrong_texel_pct", CSV_NOT_NEGATIVE, &row->wrong_texel_pct, e) &&
-           load_number(csv, i, "position_rms", CSV_NOT_NEGATIVE, &row->position_rms, e) &&
-           load_number(csv, i, "coverage_missing", CSV_NOT_NEGATIVE, &row->missing, e) &&
-           load_number(csv, i, "coverage_extra", CSV_NOT_NEGATIVE, &row->extra, e) &&
-           load_number(csv, i, "ns_per_pixel_min", CSV_POSITIVE, &row->ns_per_pixel, e) &&
-           load_number(csv, i, "lookup_ns_per_pixel", CSV_POSITIVE, &row->lookup, e) &&
-           load_number(csv, i, "ruler_step", CSV_POSITIVE, &row->step, e);
+    return csv_number(csv, i, "width", CSV_POSITIVE, &row->width, e) &&
+           csv_number(csv, i, "height", CSV_POSITIVE, &row->height, e) &&
+           csv_number(csv, i, "wrong_texel_pct", CSV_NOT_NEGATIVE, &row->wrong_texel_pct, e) &&
+           csv_number(csv, i, "position_rms", CSV_NOT_NEGATIVE, &row->position_rms, e) &&
+           csv_number(csv, i, "coverage_missing", CSV_NOT_NEGATIVE, &row->missing, e) &&
+           csv_number(csv, i, "coverage_extra", CSV_NOT_NEGATIVE, &row->extra, e) &&
+           csv_number(csv, i, "ns_per_pixel_min", CSV_POSITIVE, &row->ns_per_pixel, e) &&
+           csv_number(csv, i, "lookup_ns_per_pixel", CSV_POSITIVE, &row->lookup, e) &&
+           csv_number(csv, i, "ruler_step", CSV_POSITIVE, &row->step, e);
 }
 
 /* stage4_subdivide, coda, segment_8, segment_span: the stage column's words. */

@@ -132,8 +132,8 @@ bool accuracy_measure(struct source *source, const struct stage *const chosen[],
                       struct accuracy accuracy[], struct error *error)
 {
     struct meter meter = {0};
-    double *jitter = calloc((size_t)count + 1, sizeof *jitter);
-    const bool memory = jitter && meter_create(&meter, source->size.width, source->size.height);
+    double jitter[CHOSEN_MAX + 1];
+    const bool memory = meter_create(&meter, source->size.width, source->size.height);
     bool done = memory && jitter_measure(&meter, source, chosen, count, jitter, NULL, error);
 
     if (!memory || (done && !accuracy_frames(&meter, &source->triangles, chosen, count,
@@ -145,6 +145,5 @@ bool accuracy_measure(struct source *source, const struct stage *const chosen[],
         accuracy[i].jitter_floor = jitter[count];
     }
     meter_destroy(&meter);
-    free(jitter);
     return done;
 }

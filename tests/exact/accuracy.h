@@ -47,8 +47,9 @@ bool accuracy_frames(struct meter *meter, const struct triangle_list *list,
 bool accuracy_frame(struct meter *meter, const struct triangle_list *list,
                     const struct stage *stage, struct accuracy *accuracy);
 
-/* Measures `count` stages on one source, jitter included, against the vertices as given; the
- * shifted frames are made once for all stages. The source is left as it was, save on failure. */
+/* Measures `count` stages, at most CHOSEN_MAX, on one source, jitter included, against the vertices
+ * as given; the shifted frames are made once for all stages. The source is left as it was, save on
+ * failure. */
 bool accuracy_measure(struct source *source, const struct stage *const chosen[], int count,
                       struct accuracy accuracy[], struct error *error);
 

@@ -130,17 +130,22 @@ const char *csv_text(const struct csv *csv, size_t row, size_t column)
     return csv->fields[row * csv->column_count + column];
 }
 
-bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range range,
+bool csv_number(const struct csv *csv, size_t row, const char *name, enum csv_range range,
                 double *value, struct error *error)
 {
-    const char *text = csv_text(csv, row, column), *name = csv->columns[column];
+    const char *what = NULL;
+    size_t column;
+    char *end;
+
+    if (!csv_column(csv, name, &column, error)) {
+        return false;
+    }
+    const char *text = csv_text(csv, row, column);
     if (text[0] == '\0') {
         *value = NAN;
         return true;
     }
-    char *end;
     *value = strtod(text, &end);
-    const char *what = NULL;
     if (*end != '\0') {
         what = "is not a number";
     } else if (!isfinite(*value)) {
@@ -150,11 +155,8 @@ bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range
     } else if (range == CSV_NOT_NEGATIVE && *value < 0) {
         what = "is negative";
     }
-    if (what) {
-        return error_set(error, "%s:%d: %s: '%s' %s", csv->path, csv_line(csv, row), name, text,
-                         what);
-    }
-    return true;
+    return !what || error_set(error, "%s:%d: %s: '%s' %s", csv->path, csv_line(csv, row), name,
+                              text, what);
 }
 
 int csv_line(const struct csv *csv, size_t row)

@@ -42,8 +42,9 @@ bool csv_column(const struct csv *csv, const char *name, size_t *column, struct 
 /* A field as it stands; "" where it is empty. */
 const char *csv_text(const struct csv *csv, size_t row, size_t column);
 
-/* A field as a finite number in `range`; an empty field, which is allowed, gives NAN. */
-bool csv_number(const struct csv *csv, size_t row, size_t column, enum csv_range range,
+/* The field of that column as a finite number in `range`; an empty one, which is allowed, gives
+ * NAN. */
+bool csv_number(const struct csv *csv, size_t row, const char *name, enum csv_range range,
                 double *value, struct error *error);
 
 /* The line that a row stands on, counted from 1. */

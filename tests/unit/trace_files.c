@@ -26,10 +26,8 @@ static double number(const struct csv *csv, size_t row, const char *name)
 {
     struct error error;
     double value = NAN;
-    size_t column;
 
-    check(csv_column(csv, name, &column, &error) &&
-              csv_number(csv, row, column, CSV_ANY, &value, &error),
+    check(csv_number(csv, row, name, CSV_ANY, &value, &error),
           "every field of the CSV is a number, or empty", "%s", error.text);
     return value;
 }
