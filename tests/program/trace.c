@@ -93,5 +93,5 @@ const struct command command_trace = {
     "trace", "--stage S SOURCE [--triangle K] [--row Y] [--csv FILE]",
     "Shows what a stage, 1 to 5, computed for one triangle: along its edges and in\n"
     "its pixels, with the exact answer beside them; of stage 5 each instruction of\n"
-    "its assembly. With --csv it goes to FILE, /dev/stdout say, and there is no table.",
+    "its assembly. With --csv it goes to FILE, which may be /dev/stdout.",
     OPTION_STAGE | OPTIONS_SOURCE | OPTION_TRIANGLE | OPTION_ROW | OPTION_CSV, OPTION_STAGE, run};
