@@ -57,13 +57,11 @@ static void print_row(FILE *out, const struct bench *bench, const struct bench_r
     }
     print_cell(out, 8, 2, is_stage1 ? first->ns_min / row->ns_min : NAN);
     print_cell(out, 7, 2, bench_ns_per_pixel(row, row->ns_min) / lookup_ns(bench, row));
-    if (row->judged) {
-        print_cell(out, 8, 3, a->wrong_texel_pct);
-        print_texels(out, 9, a->position_rms, a->ruler_step);
-        fprintf(out, "%6zu%6zu\n", a->coverage_missing, a->coverage_extra);
-    } else {
-        fprintf(out, "%8s%9s%6s%6s\n", "-", "-", "-", "-");
-    }
+    print_cell(out, 8, 3, row->judged ? a->wrong_texel_pct : NAN);
+    print_texels(out, 9, row->judged ? a->position_rms : NAN, a->ruler_step);
+    print_cell(out, 6, 0, row->judged ? (double)a->coverage_missing : NAN);
+    print_cell(out, 6, 0, row->judged ? (double)a->coverage_extra : NAN);
+    fputc('\n', out);
 }
 
 static void print_heading(FILE *out, const struct bench *bench, const struct bench_row *row)
