@@ -179,5 +179,5 @@ bool check_summary(void)
 {
     count_print(&total);
     printf("\n");
-    return total.failed == 0;
+    return total.failed == 0 && total.passed + total.skipped > 0;
 }

@@ -27,7 +27,8 @@ void check_script(const char *command);
 void check_group_begin(const char *name);
 void check_group_end(void);
 
-/* Prints `N passed, N failed` (`, N skipped` where there are any). True when none failed. */
+/* Prints `N passed, N failed` (`, N skipped` where there are any). True when none failed,
+ * and there was one. */
 bool check_summary(void);
 
 #endif

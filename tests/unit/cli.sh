@@ -26,8 +26,8 @@ lists() { # COMMAND OPTION...: its help lists exactly these
 source_options='--scene --frame --triangles --size'
 for word in help --help -h; do
     test_that "$word: the usage" says $word 'texmap render'
-    test_that "render --help: its options" says 'render --help' '--texture'
 done
+test_that 'render --help: its options' says 'render --help' '--texture'
 test_that 'no arguments: the usage, on standard error' eval \
     'texmap > none.txt 2> usage.txt
     [ $? -eq 2 ] && grep -q "texmap render" usage.txt && [ ! -s none.txt ]'
@@ -36,6 +36,7 @@ test_that 'help diff' lists diff --stages $source_options --texture -o --max-pix
 test_that 'help accuracy' lists accuracy --stage $source_options --csv
 test_that 'help bench' lists bench --stage --scene --size --csv --seconds
 test_that 'help chart' lists chart -o
+test_that 'help trace' lists trace --stage $source_options --csv --triangle --row
 test_that 'help scene' lists scene $source_options -o
 test_that 'help report' lists report -o
 
@@ -62,12 +63,13 @@ test_that 'a texture of one texel: every pixel is that' cmp a.ppm expected.ppm
 
 for scene in 'room --frame 0' 'room --frame 200' wall floor mesh; do
     source="--scene $scene $small"
-    quiet texmap scene $source -o a.tri && quiet texmap scene $source -o b.tri
-    test_that "scene $scene: the same every time" cmp a.tri b.tri
+    test_that "scene $scene: the same every time" eval \
+        'quiet texmap scene $source -o a.tri && quiet texmap scene $source -o b.tri &&
+        cmp a.tri b.tri'
     test_that "scene $scene: drawn from its .tri file" same_pictures \
         "--stage 3 --triangles a.tri $small" "--stage 3 $source --texture coord"
-    quiet texmap scene --triangles a.tri $small -o b.tri
-    test_that "scene $scene: clipped again it is the same" cmp a.tri b.tri
+    test_that "scene $scene: clipped again it is the same" eval \
+        'quiet texmap scene --triangles a.tri $small -o b.tri && cmp a.tri b.tri'
 done
 triangle='0 0 1 0 0\n60 0 2 90 0\n0 40 1 0 90\n'
 printf "$triangle" > good.tri
