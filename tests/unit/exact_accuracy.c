@@ -116,19 +116,11 @@ static struct accuracy measure(struct triangle_list *list, draw_triangle *draw)
     return accuracy;
 }
 
-static struct accuracy measure_square(draw_triangle *draw, float u0)
+static struct accuracy measure_square(draw_triangle *draw, float u0, float du, float v0)
 {
     struct triangle_list list = {0};
 
-    add_square(&list, LOW, HIGH, 1, u0, SLOPE_U, u0, SLOPE_V);
-    return measure(&list, draw);
-}
-
-static struct accuracy measure_constant_u(draw_triangle *draw, float u)
-{
-    struct triangle_list list = {0};
-
-    add_square(&list, LOW, HIGH, 1, u, 0, 20, SLOPE_V);
+    add_square(&list, LOW, HIGH, 1, u0, du, v0, SLOPE_V);
     return measure(&list, draw);
 }
 
@@ -163,7 +155,7 @@ static void test_truncation(void)
     } squares[] = {{20, -0.5, 0.05}, {-60, 0.5, 0.05}, {-10, 0, 1}};
 
     for (int i = 0; i < 3; i++) {
-        const struct accuracy a = measure_square(draw_cut, squares[i].u0);
+        const struct accuracy a = measure_square(draw_cut, squares[i].u0, SLOPE_U, squares[i].u0);
         check(is_near(a.bias_u, squares[i].bias, squares[i].tolerance) &&
                   is_near(a.bias_v, squares[i].bias, squares[i].tolerance) && a.max_texel == 1,
               "truncation shows as a bias of half a texel, below 0 upward",
@@ -173,7 +165,8 @@ static void test_truncation(void)
               "from %g: position_max %.6f", (double)squares[i].u0, a.position_max);
     }
     /* .75 of a step past the ruler's 0, which stands for all from -1 to 1. */
-    const struct accuracy around_0 = measure_constant_u(draw_cut, -0.5f + 1.25f / RULER_SCALE_MAX);
+    const struct accuracy around_0 =
+        measure_square(draw_cut, -0.5f + 1.25f / RULER_SCALE_MAX, 0, 20);
     check(around_0.position_max < FLOAT_SHARE, "on both sides of 0 (int) gives 0",
           "position_max %.6f", around_0.position_max);
 }
@@ -182,7 +175,7 @@ static void test_truncation(void)
  * the stage's coordinate up to a whole step towards the exact one. */
 static void test_known_error(void)
 {
-    const struct accuracy a = measure_square(draw_moved, 20);
+    const struct accuracy a = measure_square(draw_moved, 20, SLOPE_U, 20);
     const double step = 1.0 / RULER_SCALE_MAX;
     const double least = hypot(SLOPE_U - step, SLOPE_V - step), most = hypot(SLOPE_U, SLOPE_V);
     const size_t lost = HIGH - LOW + HIGH - LOW - 1; /* a row and a column, their corner once */
@@ -197,7 +190,7 @@ static void test_known_error(void)
           "a row and a column are missing, and as much is extra",
           "missing %zu, extra %zu, expected %zu", a.coverage_missing, a.coverage_extra, lost);
 
-    const struct accuracy one = measure_square(draw_one_missed, 20);
+    const struct accuracy one = measure_square(draw_one_missed, 20, SLOPE_U, 20);
     check(is_near(one.wrong_texel_pct, 100.0 / PIXELS, 1e-9) && one.max_texel == 3 &&
               is_near(one.bias_u, 3.0 / PIXELS, 1e-9) && is_near(one.bias_v, 3.0 / PIXELS, 1e-9),
           "one wrong texel, 3 off, is found", "%.6f %% wrong, at most %d", one.wrong_texel_pct,
@@ -220,16 +213,15 @@ static void test_borders(void)
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const struct accuracy a = measure_constant_u(cases[i].draw, cases[i].u);
+        const struct accuracy a = measure_square(cases[i].draw, cases[i].u, 0, 20);
         check(a.wrong_texel_pct == cases[i].wrong_pct && a.border_pct == cases[i].border_pct,
               "on a border both texels are right, none outside a texture used once",
               "case %zu, u %.2f: %.2f %% wrong, %.2f %% on a border", i, (double)cases[i].u,
               a.wrong_texel_pct, a.border_pct);
     }
     /* u comes up to 255.5 by a 60th of 2^-16 a pixel: 4 columns lie within 1e-6 of it. */
-    struct triangle_list list = {0};
-    add_square(&list, LOW, HIGH, 1, 255.5f - 0x1p-16f, 0x1p-16f / (HIGH - LOW), 20, SLOPE_V);
-    const struct accuracy a = measure(&list, draw_loose);
+    const struct accuracy a =
+        measure_square(draw_loose, 255.5f - 0x1p-16f, 0x1p-16f / (HIGH - LOW), 20);
     check(is_near(a.wrong_texel_pct, 100.0 * 4 / (HIGH - LOW), 1e-9),
           "within 1e-6 of the last border the texel beyond is wrong", "%.4f %% wrong",
           a.wrong_texel_pct);
