@@ -36,9 +36,7 @@ static bool print_line(FILE *out, const char *line, report_progress *progress,
 {
     for (size_t i = 0; i < PART_COUNT; i++) {
         if (strcmp(parts[i].line, line) == 0) {
-            if (progress) {
-                progress(parts[i].doing);
-            }
+            progress(parts[i].doing);
             return parts[i].print(out, error);
         }
     }

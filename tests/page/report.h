@@ -11,7 +11,7 @@
 typedef void report_progress(const char *doing);
 
 /* Measures all that the page shows (10 to 30 seconds) and returns it, *size bytes, for the caller
- * to free; NULL with `error` set on failure. `progress` may be NULL. */
+ * to free; NULL with `error` set on failure. */
 char *report_make(report_progress *progress, size_t *size, struct error *error);
 
 /* A part of the page: prints HTML. */

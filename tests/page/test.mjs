@@ -85,12 +85,8 @@ const settled = (page) => page.evaluate(() => new Promise((done) =>
 const state = (page) => page.evaluate("page.stepper.state");
 
 async function testDrag(page) {
-  const handle = page.locator(".handle").first(), box = await handle.boundingBox();
-  const before = await state(page);
-  await page.mouse.move(box.x + 17, box.y + 17);
-  await page.mouse.down();
-  await page.mouse.move(box.x + 60, box.y + 40, { steps: 5 });
-  await page.mouse.up();
+  const handle = page.locator(".handle").first(), before = await state(page);
+  await handle.dragTo(page.locator("#figure-canvas"), { targetPosition: { x: 100, y: 100 } });
   const after = await state(page);
   check(after.v[0] > before.v[0] && after.v[1] > before.v[1], "dragging A moves it", after.v);
   await handle.press("ArrowRight");
@@ -197,14 +193,14 @@ async function testWhy(page) {
 }
 
 async function testPick(page) {
-  const canvas = page.locator("#figure-canvas"), box = await canvas.boundingBox();
+  const canvas = page.locator("#figure-canvas");
   const [x, y] = await page.evaluate("page.stepper.figure.toCanvas(6, 5)");
-  await page.mouse.click(box.x + x, box.y + y);
+  await canvas.click({ position: { x, y } });
   same((await shown(page)).title, "Pixel: pixel 6, 5", "a click goes to the pixel's step");
   const { at } = await state(page);
   await page.locator("#step [data-go=step]").last().click();
-  await page.locator("#figure-canvas").press("ArrowLeft");
-  await page.locator("#figure-canvas").press("ArrowLeft");
+  await canvas.press("ArrowLeft");
+  await canvas.press("ArrowLeft");
   same((await state(page)).at, at - 1, "buttons and keys step");
   await page.locator("#step-slider").hover();
   await page.mouse.wheel(0, 100);
@@ -243,7 +239,8 @@ async function testPictures(page) {
     }
     return seen.size;
   }
-  const press = (part, text) => page.locator(`#picture-${part} button`, { hasText: text }).click();
+  const press = (part, text) =>
+    page.locator(`#pictures [data-state=${part}] button`, { hasText: text }).click();
   same(await looks(4, (i) => picture.press("1247"[i])), 4, "keys choose the picture");
   await press("mode", "blink");
   await picture.press("2");

@@ -198,38 +198,39 @@ EXPORT(page_measurable) bool page_measurable(void)
     return true;
 }
 
-/* Counts, in the frame as it is, drawn with the texture `coord`, against the exact answer: pixels
- * compared, wrong ones, the largest error, pixels missing, pixels too many. page_errors has each
- * pixel's error then. */
-EXPORT(page_compare) const int *page_compare(void)
-{
-    static int counts[5];
-    int *pixels = &counts[0], *wrong = &counts[1], *largest = &counts[2];
+struct counts {
+    int pixels, wrong, largest, missing, extra; /* compared, and how far off the worst of them is */
+};
 
-    memset(counts, 0, sizeof counts);
+/* Counts in the frame as it is, drawn with the texture `coord`, against the exact answer.
+ * page_errors has each pixel's error then. */
+EXPORT(page_compare) const struct counts *page_compare(void)
+{
+    static struct counts counts;
+
+    counts = (struct counts){0};
     for (size_t i = 0; i < meter_pixels(&meter); i++) {
         const uint32_t exact = meter.exact_surfaces.pixels[i], got = meter.surfaces.pixels[i];
         const uint32_t texel = meter.frame.pixels[i]; /* u is red, v green */
         int16_t *error = &errors[2 * i];
         error[0] = error[1] = exact == got ? 0 : OTHER_SURFACE;
         if (exact != got) {
-            counts[3] += exact != 0;
-            counts[4] += got != 0;
+            counts.missing += exact != 0;
+            counts.extra += got != 0;
         } else if (exact != 0) {
             error[0] = (int16_t)texel_error(meter.exact[i].u, texel >> 16 & 0xFF);
             error[1] = (int16_t)texel_error(meter.exact[i].v, texel >> 8 & 0xFF);
-            const int u = abs(error[0]), v = abs(error[1]);
-            *pixels += 1;
-            *wrong += u + v > 0;
-            *largest = u > *largest ? u : *largest;
-            *largest = v > *largest ? v : *largest;
+            const int u = abs(error[0]), v = abs(error[1]), larger = u > v ? u : v;
+            counts.pixels++;
+            counts.wrong += larger > 0;
+            counts.largest = larger > counts.largest ? larger : counts.largest;
         }
     }
-    return counts;
+    return &counts;
 }
 
 /* Draws with the texture `coord`, and the surfaces, and counts. */
-EXPORT(page_measure) const int *page_measure(int stage)
+EXPORT(page_measure) const struct counts *page_measure(int stage)
 {
     meter_draw_surfaces(&meter, &list, drawing[stage]);
     meter_draw(&meter, &list, drawing[stage], &meter.coordinates, 1);
