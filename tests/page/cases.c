@@ -1,5 +1,5 @@
-/* The cases in which a method fails: what each stage showed, measured here, and each case's own
- * file, from which the page draws it. */
+/* The cases in which a method fails: what each stage showed, measured here, and each case's
+ * triangles, from which the page draws it. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <string.h>
@@ -27,25 +27,11 @@ static void print_summary(FILE *out, const struct stability_case *row, const dou
     fprintf(out, "%s</summary>\n", *separator == ':' ? ": holds in all" : "");
 }
 
-/* The case's file, in which the page finds its triangles. */
-static bool print_file(FILE *out, const char *path, struct error *error)
+static void print_case(FILE *out, const struct stability_case *row, const double values[],
+                       const struct stability_stages *chosen)
 {
-    char line[512];
-    FILE *file = fopen(path, "r");
+    const struct triangle_list *given = &row->source.given;
 
-    if (!file) {
-        return error_set(error, "%s: cannot be read", path);
-    }
-    while (fgets(line, sizeof line, file)) {
-        html_text(out, line);
-    }
-    fclose(file);
-    return true;
-}
-
-static bool print_case(FILE *out, const struct stability_case *row, const double values[],
-                       const struct stability_stages *chosen, struct error *error)
-{
     fprintf(out, "<details class=\"case\" id=\"case-%s\" data-name=\"%s\" data-size=\"%dx%d\">",
             row->name, row->name, row->source.size.width, row->source.size.height);
     print_summary(out, row, values, chosen);
@@ -55,11 +41,13 @@ static bool print_case(FILE *out, const struct stability_case *row, const double
     html_text(out, row->why);
     fprintf(out, "</p>\n<div class=\"views\"></div><p class=\"actions\"></p>\n"
             "<p><code>build/texmap render --stage 2 --triangles %s -o case.png</code></p>\n"
-            "<pre class=\"tri\" tabindex=\"0\" aria-label=\"The file of %s\">", row->path,
-            row->name);
-    const bool printed = print_file(out, row->path, error);
+            "<pre class=\"tri\" tabindex=\"0\" aria-label=\"x y z u v of its vertices\">\n",
+            row->path);
+    for (size_t i = 0; i < 3 * given->count; i++) {
+        const struct vertex *v = &given->items[i / 3].v[i % 3];
+        fprintf(out, "%.9g %.9g %.9g %.9g %.9g\n", v->x, v->y, v->z, v->u, v->v);
+    }
     fprintf(out, "</pre></details>\n");
-    return printed;
 }
 
 bool report_cases(FILE *out, struct error *error)
@@ -80,8 +68,10 @@ bool report_cases(FILE *out, struct error *error)
         if (!stability_open(&row, paths[i], &chosen, error)) {
             return false;
         }
-        done = measure_source(row.measure, &row.source, &chosen, values, error) &&
-               print_case(out, &row, values, &chosen, error);
+        done = measure_source(row.measure, &row.source, &chosen, values, error);
+        if (done) {
+            print_case(out, &row, values, &chosen);
+        }
         source_close(&row.source);
     }
     return done;

@@ -1,4 +1,4 @@
-/* The cases in which a method fails. C writes each as an article with its .tri file; here their
+/* The cases in which a method fails. C writes each as an article with its triangles; here their
  * frames are drawn, once one is opened, and they open in the stepper. */
 
 class Cases extends Part {
@@ -28,10 +28,9 @@ class Cases extends Part {
 
   draw() {} /* a case is drawn once it is opened */
 
-  /* A .tri file's triangles: fifteen numbers each, comments left out. */
+  /* Its triangles: fifteen numbers each. */
   parse(article) {
-    const numbers = article.querySelector(".tri").textContent.replace(/#.*/g, "").trim()
-      .split(/\s+/).filter(Boolean).map(Number);
+    const numbers = article.querySelector(".tri").textContent.trim().split(/\s+/).map(Number);
     return { size: article.dataset.size.split("x").map(Number),
       triangles: Array.from({ length: numbers.length / FLOATS },
         (_, k) => numbers.slice(FLOATS * k, FLOATS * k + FLOATS)) };

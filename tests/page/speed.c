@@ -34,19 +34,18 @@ static bool print_chart(FILE *out, const char *text, struct error *error)
 {
     struct csv csv;
     struct chart chart;
-    bool drawn = csv_parse("report", text, &csv, error);
 
-    if (drawn) {
-        drawn = chart_load(&csv, &chart, error);
-        if (drawn) {
-            fputs("<div class=\"scroll\" id=\"chart\" tabindex=\"0\" role=\"group\" "
-                  "aria-label=\"Chart\">\n", out);
-            chart_draw(out, &chart);
-            fputs("</div>\n", out);
-            chart_destroy(&chart);
-        }
-        csv_destroy(&csv);
+    if (!csv_parse("report", text, &csv, error)) {
+        return false;
     }
+    const bool drawn = chart_load(&csv, &chart, error);
+    if (drawn) {
+        fputs("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Chart\">\n", out);
+        chart_draw(out, &chart);
+        fputs("</div>\n", out);
+        chart_destroy(&chart);
+    }
+    csv_destroy(&csv);
     return drawn;
 }
 
