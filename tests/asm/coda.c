@@ -174,14 +174,18 @@ static bool task_holds(struct task *task, char text[ASM_TEXT])
     const void *address;
 
     changed[0] = '\0';
-    if (!guarded_call(draw, task, &address)) {
-        return case_failed(text, task->v, &task->frame, "touches %p; the frame begins at %p, the "
-                           "texture, %dx%d, at %p", address, (void *)task->frame.pixels,
-                           task->texture.width, task->texture.height,
-                           (void *)task->texture.pixels);
+    const bool within = guarded_call(draw, task, &address);
+    if (within && changed[0] == '\0') {
+        return true;
     }
-    return changed[0] == '\0' ||
-           case_failed(text, task->v, &task->frame, "not as they were: %s", changed);
+    const int length =
+        within ? snprintf(text, ASM_TEXT, "not as they were: %.700s", changed)
+               : snprintf(text, ASM_TEXT, "touches %p; the frame, %dx%d, begins at %p, the "
+                          "texture, %dx%d, at %p", address, task->frame.width, task->frame.height,
+                          (void *)task->frame.pixels, task->texture.width, task->texture.height,
+                          (void *)task->texture.pixels);
+    case_text(text + length, ASM_TEXT - (size_t)length, task->v);
+    return false;
 }
 
 /* Triangles of all kinds between guard pages, each call into the assembly looked at: is nothing

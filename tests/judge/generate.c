@@ -1,7 +1,6 @@
 #include "tests/judge/generate.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -401,18 +400,10 @@ const char *kind_name(enum kind kind)
     return names[kind];
 }
 
-bool case_failed(char text[CASE_TEXT], const struct vertex v[3], const struct image *frame,
-                 const char *format, ...)
+void case_text(char *text, size_t room, const struct vertex v[3])
 {
-    int length = snprintf(text, CASE_TEXT, "# frame %dx%d\n", frame->width, frame->height);
-    va_list arguments;
-
-    for (int i = 0; i < 3; i++) {
-        length += snprintf(text + length, CASE_TEXT - (size_t)length, "%.9g %.9g %.9g %.9g %.9g\n",
-                           v[i].x, v[i].y, v[i].z, v[i].u, v[i].v);
+    for (size_t i = 0, length = 0; i < 3 && length < room; i++) {
+        length += (size_t)snprintf(text + length, room - length, "\n%.9g %.9g %.9g %.9g %.9g",
+                                   v[i].x, v[i].y, v[i].z, v[i].u, v[i].v);
     }
-    va_start(arguments, format);
-    vsnprintf(text + length, CASE_TEXT - (size_t)length, format, arguments);
-    va_end(arguments);
-    return false;
 }

@@ -47,10 +47,8 @@ void case_of_kind(struct judge_case *made, enum kind kind, struct random *random
 
 const char *kind_name(enum kind kind);
 
-/* Writes the triangle, as a .tri file has it, its frame and the rest to `text`. Returns false. */
-#define CASE_TEXT 512
-bool case_failed(char text[CASE_TEXT], const struct vertex v[3], const struct image *frame,
-                 const char *format, ...);
+/* Writes a triangle as a .tri file has it, each vertex on a new line, cut to fit. */
+void case_text(char *text, size_t room, const struct vertex v[3]);
 
 /* Parts of a case, for tests that need no more. x and y of one triangle of any of the first kinds,
  * in a frame of that size; depths at most a factor of 2^ratio_log2 apart, up

@@ -464,10 +464,8 @@ static bool describe(const struct stage *stage, const struct judge_case *one,
                        "\n# seed %" PRIu64 " case %" PRIu64 " (%s), %s, frame %dx%d, texture %dx%d",
                        seed, one->number, kind_name(one->kind), stage->name, one->width,
                        one->height, one->texture_width, one->texture_height);
-    for (int i = 0; i < 3 && triangle < one->count && length < JUDGE_TEXT; i++) {
-        const struct vertex *v = &one->v[triangle][i];
-        length += snprintf(text + length, (size_t)(JUDGE_TEXT - length),
-                           "\n%.9g %.9g %.9g %.9g %.9g", v->x, v->y, v->z, v->u, v->v);
+    if (triangle < one->count && length < JUDGE_TEXT) {
+        case_text(text + length, (size_t)(JUDGE_TEXT - length), one->v[triangle]);
     }
     return false;
 }
