@@ -39,10 +39,11 @@ static void print_case(FILE *out, const struct stability_case *row, const double
     html_text(out, row->sentence);
     fprintf(out, "</p>\n<p class=\"hint\">Measured: %s. ", row->measure->what);
     html_text(out, row->why);
-    fprintf(out, "</p>\n<div class=\"views\"></div><p class=\"actions\"></p>\n"
+    fprintf(out, "</p>\n<div class=\"views\"></div>\n"
+            "<p class=\"live\"><a href=\"#step?case=%s&amp;stage=2\">Open in the stepper</a></p>\n"
             "<p><code>build/texmap render --stage 2 --triangles %s -o case.png</code></p>\n"
             "<pre class=\"tri\" tabindex=\"0\" aria-label=\"x y z u v of its vertices\">\n",
-            row->path);
+            row->name, row->path);
     for (size_t i = 0; i < 3 * given->count; i++) {
         const struct vertex *v = &given->items[i / 3].v[i % 3];
         fprintf(out, "%.9g %.9g %.9g %.9g %.9g\n", v->x, v->y, v->z, v->u, v->v);

@@ -1,5 +1,5 @@
 /* The cases in which a method fails. C writes each as an article with its triangles; here their
- * frames are drawn, once one is opened, and they open in the stepper. */
+ * frames are drawn, once one is opened. */
 
 class Cases extends Part {
   constructor(stages) {
@@ -45,17 +45,12 @@ class Cases extends Part {
     stages.open(size);
     stages.give(triangles.slice(0, TRIANGLES_MAX));
     for (const [n, result] of stages.results()) {
-      const canvas = element("canvas", { role: "img", "aria-label": `The case in ${n}` });
+      const name = n === EXACT ? "Exact" : `Stage ${n}`;
+      const canvas = element("canvas", { role: "img", "aria-label": name });
       place.append(element("figure", {}, canvas, element("figcaption", {},
-        n === EXACT ? "Exact" : `Stage ${n}` + (result.errors ? `: ${verdict(result)}` : ""))));
+        name + (result.errors ? `: ${verdict(result)}` : ""))));
       drawSmall(canvas, result, triangles, size, 240);
     }
-    const button = element("button", { type: "button" }, "Open in the stepper");
-    button.addEventListener("click", () => {
-      location.hash = `#step?case=${article.dataset.name}&stage=2` +
-        (thin(triangles[0]) ? "&view=near" : "");
-    });
-    article.querySelector(".actions").append(button);
   }
 }
 

@@ -18,7 +18,8 @@ class Stepper extends Part {
       before: whole(0, 0, 1),
       size: several(FIRST.size, "x", 1, 4096),
       v: several(FIRST.v, ",", -65536, 65536),
-      view: oneOf("fit", [["fit", "all of it"], ["near", "24 pixels around the step"]]),
+      view: oneOf("", [["", "automatic"], ["fit", "all of it"],
+        ["near", "24 pixels around the step"]]),
     });
     Object.assign(this, { stages, cases });
     this.figure = new Figure(this);
@@ -50,7 +51,7 @@ class Stepper extends Part {
   set(change) {
     const { stages, state } = this, event = this.run && this.run.at(state.at);
     const chosen = change.v === undefined && (change.case ?? change.triangle) !== undefined;
-    Object.assign(state, chosen ? { at: 0, triangle: 0, view: "fit", ...FIRST } : {}, change);
+    Object.assign(state, chosen ? { at: 0, triangle: 0, view: "", ...FIRST } : {}, change);
     if (change.snap && change.case === undefined) { /* chosen just now */
       const snapped = (c) => Math.round(c * state.snap) / state.snap;
       Object.assign(state, { case: "", v: state.v.map((c, k) => (k % 5 < 2 ? snapped(c) : c)) });
@@ -59,7 +60,6 @@ class Stepper extends Part {
     if (found) {
       state.triangle = Math.min(state.triangle, found.triangles.length - 1);
       Object.assign(state, { size: found.size, v: found.triangles[state.triangle] });
-      state.view = chosen && thin(state.v) ? "near" : state.view;
     }
     stages.open(state.size, state.length);
     this.list = stages.give([state.v]);
@@ -121,8 +121,8 @@ class Stepper extends Part {
 
   window() {
     const { state } = this, [width, height] = state.size;
-    const event = this.run.at(state.at);
-    if (state.view === "near") {
+    const event = this.run.at(state.at), small = state.case && thin(state.v);
+    if (state.view === "near" || state.view === "" && small) {
       const [x, y] = (!event || event.y === undefined ? state.v /* vertex A */
         : [event.x ?? event.first ?? event.v.x, event.y]).map(Math.floor);
       const w = Math.min(NEAR, width), h = Math.min(NEAR * 3 / 4, height);

@@ -279,7 +279,7 @@ async function testCases(page) {
   check(await article.locator("canvas").count() === 5, "a case is drawn in all stages");
   check(await page.evaluate("page.stages.width === page.stepper.state.size[0]"),
     "and the stepper has its own frame still");
-  await article.getByRole("button").click();
+  await article.getByRole("link").click();
   await page.waitForFunction("page.stepper.state.case === 'steep_segment'");
   await testFrames(page, "a case's triangle");
 }
