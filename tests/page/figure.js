@@ -1,7 +1,7 @@
 /* The stepper's large figure: a window of the frame, pixel by pixel, the triangle over it, and its
  * three vertices as buttons to drag. */
 
-const MARGIN = 26;          /* CSS pixels for the numbers along the border */
+const MARGIN = 30;          /* CSS pixels for the numbers along the border */
 const FIGURE_HEIGHT_MAX = 520;
 const CELLS_MAX = 60;       /* CSS pixels a pixel of the frame is at most drawn with */
 
@@ -109,7 +109,8 @@ class Figure {
 
   drawGrid(c) {
     const { x, y, w, h } = this.window, cell = this.cell;
-    const every = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((n) => n * cell >= 24);
+    const room = 8 + 8 * String(Math.max(x + w, y + h)).length; /* for a label */
+    const every = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((n) => n * cell >= room);
     c.font = "11px system-ui, sans-serif";
     for (const [from, count, length, at] of [[x, w, h * cell, (along, across) => [along, across]],
       [y, h, w * cell, (along, across) => [across, along]]]) {
@@ -119,11 +120,11 @@ class Figure {
           path(c, [at(along, MARGIN), at(along, MARGIN + length)], "line");
         }
         if (i < count && (from + i) % every === 0) {
-          label(c, String(from + i), ...at(along + cell / 2, MARGIN - 12));
+          label(c, String(from + i), ...at(along + cell / 2, MARGIN / 2));
         }
       }
     }
-    label(c, "x", MARGIN / 2, MARGIN - 12);
+    label(c, "x", MARGIN / 2, MARGIN / 2);
     if (cell >= 12) {
       this.eachPixel((i, j) => {
         const [cx, cy] = this.toCanvas(i, j);

@@ -68,17 +68,13 @@ choose()
         "$moved. With clang and lld installed, make report compiles them.</p>" > "$note"
 }
 
-check()
-{
-    moved=$(moved)
-    name="the page's module is made from these sources"
-    [ -z "$moved" ] && echo "ok $name" || echo "SKIP $name: newer are" $moved: make page-wasm
-}
-
 case $1 in
 build) build "$2" ;;
 choose) choose "$2" ;;
 list) echo $sources $headers $stages ;;
-check) check ;;
+check)
+    moved=$(moved)
+    name="the page's module is made from these sources"
+    [ -z "$moved" ] && echo "ok $name" || echo "SKIP $name: newer are" $moved: make page-wasm ;;
 sources) cksum $sources $headers $stages ;;
 esac
