@@ -171,7 +171,7 @@ static void label_stages(struct panel *panel, const struct series *stages, bool 
     for (size_t i = stages->count; i-- > 0;) {
         const struct chart_row *row = stages->rows[i];
         const bool coda = row->mark == 'C';
-        char name[48], speed[32] = "";
+        char name[64], speed[32] = "";
         if (first && row != first) {
             snprintf(speed, sizeof speed, ", %.1fx", first->ns_per_pixel / row->ns_per_pixel);
         }

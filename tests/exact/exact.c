@@ -40,15 +40,8 @@ static void set_edge(struct exact_triangle *triangle, int i, const int64_t a[2],
     triangle->least[i] = left || top ? 0 : 1;
 }
 
-static double min3(double a, double b, double c)
-{
-    return fmin(a, fmin(b, c));
-}
-
-static double max3(double a, double b, double c)
-{
-    return fmax(a, fmax(b, c));
-}
+static double min3(double a, double b, double c) { return fmin(a, fmin(b, c)); }
+static double max3(double a, double b, double c) { return fmax(a, fmax(b, c)); }
 
 static void set_texels(struct exact_triangle *triangle, const struct vertex v[3])
 {

@@ -77,9 +77,8 @@ bool meter_begin(struct meter *meter, const struct triangle_list *list)
     if (!surfaces_find(&meter->finder, list)) {
         return false;
     }
-    meter->surface_of = meter->finder.of;
     for (size_t i = 0; i < list->count; i++) {
-        meter->surface_of[i] |= ALPHA; /* not 0, and a pixel like any other */
+        meter->finder.of[i] |= ALPHA; /* not 0, and a pixel like any other */
     }
     return true;
 }
@@ -149,7 +148,7 @@ void places_fill(struct place *places, struct image *surfaces, const uint32_t *s
 
 void meter_exact(struct meter *meter, const struct triangle_list *list, int scale)
 {
-    places_fill(meter->exact, &meter->exact_surfaces, meter->surface_of, list, scale);
+    places_fill(meter->exact, &meter->exact_surfaces, meter->finder.of, list, scale);
 }
 
 void meter_draw(struct meter *meter, const struct triangle_list *list, draw_triangle *draw,
@@ -171,7 +170,7 @@ void meter_draw_surfaces(struct meter *meter, const struct triangle_list *list,
 {
     clear(&meter->surfaces);
     for (size_t i = 0; i < list->count; i++) {
-        const struct image number = {1, 1, 1, &meter->surface_of[i]};
+        const struct image number = {1, 1, 1, &meter->finder.of[i]};
         draw(&meter->surfaces, &number, list->items[i].v);
     }
 }

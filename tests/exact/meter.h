@@ -36,8 +36,7 @@ struct meter {
     struct image frame, surfaces; /* what a stage drew */
     struct place *exact; /* what it should have drawn, pixel by pixel; where nothing, not set */
     struct image exact_surfaces;
-    uint32_t *surface_of; /* a number for each triangle of the list that is being measured */
-    struct surfaces finder; /* found them, and owns them */
+    struct surfaces finder;  /* of the list that is being measured */
 };
 
 /* False when there is no memory. */

@@ -13,12 +13,8 @@ struct edge {
     uint32_t triangle;
 };
 
-static bool vertices_equal(const struct vertex *a, const struct vertex *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z && a->u == b->u && a->v == b->v;
-}
-
-static bool vertex_less(const struct vertex *a, const struct vertex *b)
+/* Below 0, 0 or above 0, as a lies before b, is the same, or lies behind it in some fixed order. */
+static int vertex_compare(const struct vertex *a, const struct vertex *b)
 {
     const float of_a[] = {a->x, a->y, a->z, a->u, a->v}, of_b[] = {b->x, b->y, b->z, b->u, b->v};
     int i = 0;
@@ -26,7 +22,7 @@ static bool vertex_less(const struct vertex *a, const struct vertex *b)
     while (i < 4 && of_a[i] == of_b[i]) {
         i++;
     }
-    return of_a[i] < of_b[i];
+    return (of_a[i] > of_b[i]) - (of_a[i] < of_b[i]);
 }
 
 /* Adding 0 makes -0 a 0: equal floats, equal bits. */
@@ -80,8 +76,9 @@ static void edge_add(struct surfaces *surfaces, uint32_t number)
 
     for (; surfaces->slots[slot] != 0; slot = (slot + 1) & surfaces->mask) {
         const struct edge *other = &surfaces->edges[surfaces->slots[slot] - 1];
-        if (vertices_equal(&edge->end[0], &other->end[0]) &&
-            vertices_equal(&edge->end[1], &other->end[1]) && edge->texture == other->texture) {
+        if (vertex_compare(&edge->end[0], &other->end[0]) == 0 &&
+            vertex_compare(&edge->end[1], &other->end[1]) == 0 &&
+            edge->texture == other->texture) {
             join(surfaces->of, edge->triangle, other->triangle);
             return;
         }
@@ -129,7 +126,7 @@ bool surfaces_find(struct surfaces *surfaces, const struct triangle_list *list)
         surfaces->of[i] = i;
         for (uint32_t k = 0; k < 3; k++) {
             const struct vertex *a = &triangle->v[k], *b = &triangle->v[(k + 1) % 3];
-            const bool swap = vertex_less(b, a);
+            const bool swap = vertex_compare(b, a) < 0;
             surfaces->edges[3 * i + k] =
                 (struct edge){{swap ? *b : *a, swap ? *a : *b}, triangle->texture, i};
             edge_add(surfaces, 3 * i + k);
