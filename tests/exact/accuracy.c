@@ -15,14 +15,14 @@ void accuracy_print_csv(FILE *file, const struct stage *stage, const struct sour
         return;
     }
     fprintf(file, ",%zu", a->pixels);
-    if (a->pixels == 0) { /* nothing to be right or wrong */
-        fputs(",,,,,,", file);
-    } else {
-        fprintf(file, ",%.6f,%.6f,%.6f,%d,%.8f,%.8f", a->wrong_texel_pct, a->bias_u, a->bias_v,
-                a->max_texel, a->position_rms, a->position_max);
-    }
+    csv_print_number(file, 6, a->wrong_texel_pct);
+    csv_print_number(file, 6, a->bias_u);
+    csv_print_number(file, 6, a->bias_v);
+    csv_print_number(file, 0, a->max_texel);
+    csv_print_number(file, 8, a->position_rms);
+    csv_print_number(file, 8, a->position_max);
     fprintf(file, ",%zu,%zu", a->coverage_missing, a->coverage_extra);
-    csv_print_number(file, 8, a->pixels > 0 ? a->jitter_rms : NAN);
+    csv_print_number(file, 8, a->jitter_rms);
 }
 
 static void measure_coverage(const struct meter *meter, struct accuracy *accuracy)
@@ -35,16 +35,12 @@ static void measure_coverage(const struct meter *meter, struct accuracy *accurac
     }
 }
 
-static int largest_of(int a, int b)
-{
-    return abs(a) > abs(b) ? abs(a) : abs(b);
-}
-
 /* The frame was drawn with the texture `coord`: u is red, v is green. */
 static void measure_texels(const struct meter *meter, struct accuracy *accuracy)
 {
     size_t wrong = 0, on_borders = 0;
     long long sum_u = 0, sum_v = 0;
+    double largest = NAN; /* fmax passes over it */
 
     for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
         const uint32_t surface = meter->exact_surfaces.pixels[pixel];
@@ -55,15 +51,15 @@ static void measure_texels(const struct meter *meter, struct accuracy *accuracy)
         const uint32_t texel = meter->frame.pixels[pixel];
         const int error_u = texel_error(exact->u, texel >> 16 & 0xFF);
         const int error_v = texel_error(exact->v, texel >> 8 & 0xFF);
-        const int error = largest_of(error_u, error_v);
         accuracy->pixels++;
-        wrong += error > 0;
+        wrong += error_u != 0 || error_v != 0;
         sum_u += error_u;
         sum_v += error_v;
-        accuracy->max_texel = largest_of(error, accuracy->max_texel);
+        largest = fmax(largest, fmax(abs(error_u), abs(error_v)));
         on_borders += exact->u.other != 0 || exact->v.other != 0;
     }
-    const double pixels = accuracy->pixels > 0 ? (double)accuracy->pixels : 1;
+    const double pixels = accuracy->pixels > 0 ? (double)accuracy->pixels : NAN;
+    accuracy->max_texel = largest;
     accuracy->wrong_texel_pct = 100.0 * (double)wrong / pixels;
     accuracy->border_pct = 100.0 * (double)on_borders / pixels;
     accuracy->bias_u = (double)sum_u / pixels;
@@ -79,7 +75,7 @@ static double outside(struct reading reading)
 static void measure_positions(const struct meter *meter, bool truncates, int scale,
                               struct accuracy *accuracy)
 {
-    double sum = 0, largest = 0;
+    double sum = 0, largest = NAN;
     size_t count = 0;
 
     for (size_t pixel = 0; pixel < meter_pixels(meter); pixel++) {
@@ -91,7 +87,7 @@ static void measure_positions(const struct meter *meter, bool truncates, int sca
             largest = fmax(largest, square);
         }
     }
-    accuracy->position_rms = count > 0 ? sqrt(sum / (double)count) / scale : 0;
+    accuracy->position_rms = count > 0 ? sqrt(sum / (double)count) / scale : NAN;
     accuracy->position_max = sqrt(largest) / scale;
     accuracy->ruler_step = 1.0 / scale;
 }
@@ -141,7 +137,7 @@ bool accuracy_measure(struct source *source, const struct stage *const chosen[],
         done = error_set(error, "accuracy: no memory");
     }
     for (int i = 0; done && i < count; i++) {
-        accuracy[i].jitter_rms = jitter[i];
+        accuracy[i].jitter_rms = accuracy[i].pixels > 0 ? jitter[i] : NAN;
         accuracy[i].jitter_floor = jitter[count];
     }
     meter_destroy(&meter);

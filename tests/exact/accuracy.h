@@ -26,12 +26,13 @@
 #include "tests/exact/meter.h"
 #include "tests/program/source.h"
 
+/* Where no pixel could be compared, what is a double is NAN but jitter_floor and ruler_step. */
 struct accuracy {
     size_t triangles;
     size_t pixels;         /* those compared: both drew them, and the same surface there */
     double wrong_texel_pct;
     double bias_u, bias_v; /* mean of the texel's index minus the right one's */
-    int max_texel;         /* the larger of the two axes, so a diagonal neighbour is 1 off */
+    double max_texel;      /* the larger of the two axes, so a diagonal neighbour is 1 off */
     double border_pct;     /* pixels within 1e-6 texel of a border, where two texels are right */
     double position_rms, position_max, ruler_step; /* texels */
     size_t coverage_missing, coverage_extra;       /* pixels */

@@ -27,7 +27,7 @@ static void print_row(FILE *out, const struct stage *stage, const struct accurac
     } else {
         fprintf(out, "%.3g</td>", a->position_rms);
     }
-    fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%d</td><td>%zu</td><td>%zu</td></tr>\n",
+    fprintf(out, "<td>%+.3f</td><td>%+.3f</td><td>%.0f</td><td>%zu</td><td>%zu</td></tr>\n",
             a->bias_u, a->bias_v, a->max_texel, a->coverage_missing, a->coverage_extra);
 }
 

@@ -10,17 +10,15 @@
 
 static void print_row(const struct stage *stage, const struct accuracy *a)
 {
-    const bool any = a->pixels > 0; /* or else there is nothing to be right or wrong */
-
     printf("%-16s", stage->name);
-    print_cell(stdout, 8, 3, any ? a->wrong_texel_pct : NAN);
-    print_cell(stdout, 7, 3, any ? a->bias_u : NAN);
-    print_cell(stdout, 7, 3, any ? a->bias_v : NAN);
-    print_cell(stdout, 5, 0, any ? a->max_texel : NAN);
-    print_texels(stdout, 8, any ? a->position_rms : NAN, a->ruler_step);
-    print_texels(stdout, 8, any ? a->position_max : NAN, a->ruler_step);
+    print_cell(stdout, 8, 3, a->wrong_texel_pct);
+    print_cell(stdout, 7, 3, a->bias_u);
+    print_cell(stdout, 7, 3, a->bias_v);
+    print_cell(stdout, 5, 0, a->max_texel);
+    print_texels(stdout, 8, a->position_rms, a->ruler_step);
+    print_texels(stdout, 8, a->position_max, a->ruler_step);
     printf("%6zu%6zu", a->coverage_missing, a->coverage_extra);
-    print_texels(stdout, 8, any ? a->jitter_rms : NAN, a->ruler_step);
+    print_texels(stdout, 8, a->jitter_rms, a->ruler_step);
     printf("\n");
 }
 
@@ -61,7 +59,7 @@ static bool write_csv(const char *path, const struct source *source,
         accuracy_print_csv(file, chosen[i], source, a);
         csv_print_number(file, 8, any ? a->jitter_floor : NAN);
         csv_print_number(file, 8, any ? a->ruler_step : NAN);
-        csv_print_number(file, 6, any ? a->border_pct : NAN);
+        csv_print_number(file, 6, a->border_pct);
         fputc('\n', file);
     }
     return file_finish(file, path, error);

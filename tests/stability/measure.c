@@ -208,8 +208,7 @@ static bool measure_with(struct meter *meter, const struct measure *measure, str
             memory = measure_neighbours(meter, source, stage, &values[i]);
         } else {
             memory = accuracy_frame(meter, &source->triangles, stage, &accuracy);
-            values[i] = memory && accuracy.pixels > 0 ? number_at(&accuracy, measure->offset)
-                                                      : NAN;
+            values[i] = memory ? number_at(&accuracy, measure->offset) : NAN;
         }
     }
     return memory;

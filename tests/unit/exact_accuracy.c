@@ -159,7 +159,7 @@ static void test_truncation(void)
         check(is_near(a.bias_u, squares[i].bias, squares[i].tolerance) &&
                   is_near(a.bias_v, squares[i].bias, squares[i].tolerance) && a.max_texel == 1,
               "truncation shows as a bias of half a texel, below 0 upward",
-              "from %g: bias %.4f, %.4f, at most %d", (double)squares[i].u0, a.bias_u, a.bias_v,
+              "from %g: bias %.4f, %.4f, at most %g", (double)squares[i].u0, a.bias_u, a.bias_v,
               a.max_texel);
         check(a.position_max < FLOAT_SHARE, "truncation is no position error",
               "from %g: position_max %.6f", (double)squares[i].u0, a.position_max);
@@ -193,7 +193,7 @@ static void test_known_error(void)
     const struct accuracy one = measure_square(draw_one_missed, 20, SLOPE_U, 20);
     check(is_near(one.wrong_texel_pct, 100.0 / PIXELS, 1e-9) && one.max_texel == 3 &&
               is_near(one.bias_u, 3.0 / PIXELS, 1e-9) && is_near(one.bias_v, 3.0 / PIXELS, 1e-9),
-          "one wrong texel, 3 off, is found", "%.6f %% wrong, at most %d", one.wrong_texel_pct,
+          "one wrong texel, 3 off, is found", "%.6f %% wrong, at most %g", one.wrong_texel_pct,
           one.max_texel);
 }
 
@@ -238,7 +238,7 @@ static void test_silhouette(void)
     const struct accuracy a = measure(&list, draw_near_moved);
     check(a.max_texel == 0 && a.coverage_missing == changed && a.coverage_extra == changed,
           "another surface is missing and extra coverage, not a wrong texel",
-          "at most %d off, missing %zu, extra %zu, expected %zu", a.max_texel, a.coverage_missing,
+          "at most %g off, missing %zu, extra %zu, expected %zu", a.max_texel, a.coverage_missing,
           a.coverage_extra, changed);
 }
 
