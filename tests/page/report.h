@@ -20,7 +20,7 @@ typedef bool report_part(FILE *out, struct error *error);
 report_part report_room;  /* in all stages: how accurate, and the pictures */
 report_part report_speed; /* a short benchmark, and its chart */
 report_part report_lanes; /* recordings of stage 5's assembly, as JSON */
-report_part report_cases; /* the stability table; a line where tests/cases/ is not at hand */
+report_part report_cases; /* what fails where; a line where tests/cases/ is not at hand */
 
 /* Text in HTML. */
 void html_text(FILE *out, const char *text);

@@ -115,7 +115,7 @@ async function testFrames(page, what) {
 async function testTrace(page) {
   const { v, size } = await state(page);
   for (const stage of STAGES) {
-    await page.locator("#step-stage button").nth(stage - 1).click();
+    await page.locator("#step [data-state=stage] button").nth(stage - 1).click();
     const events = await page.evaluate(() => window.page.stepper.run.events.map((event) =>
       ({ kind: KINDS[event.kind], side: event.side, line: event.line, x: event.x, y: event.y,
         v: event.v })));

@@ -72,5 +72,5 @@ const struct command command_report = {
     "report", "-o DIR",
     "Makes a page, DIR/index.html, on which to step through what the stages do:\n"
     "pictures and their errors, one triangle pixel by pixel, swim, speed. Takes 10 to\n"
-    "40 seconds. In the project's folder it has the stability table, too.",
+    "40 seconds. In the project's folder it has the cases of tests/cases/, too.",
     OPTION_FOLDER, OPTION_FOLDER, run};
