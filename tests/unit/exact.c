@@ -46,12 +46,12 @@ static bool is_inside(const struct vertex v[3], int x, int y)
     return side != 0 && side == side_of(&v[1], &v[2], x, y) && side == side_of(&v[2], &v[0], x, y);
 }
 
-/* Every column of row y, of which the exact answer covers first <= x < end. Only where one is not
- * as expected a check is made; there are millions. */
+/* Every column of row y, and one on each side of the frame, of which the exact answer covers first
+ * <= x < end. Only where one is not as expected a check is made; there are millions. */
 static bool agree_in_row(const struct vertex v[3], int y, int side, int first, int end)
 {
-    for (int x = 0; x < side; x++) {
-        const bool expected = is_inside(v, x, y), got = x >= first && x < end;
+    for (int x = -1; x <= side; x++) {
+        const bool expected = x >= 0 && x < side && is_inside(v, x, y), got = x >= first && x < end;
         if (expected != got) {
             return check(false, "exact coverage is what the judge says",
                          "pixel %d,%d of %.9g,%.9g %.9g,%.9g %.9g,%.9g: expected %d, got %d", x, y,
