@@ -3,7 +3,7 @@
 # before stays, and texmap says why in one line and exits with 2.
 
 . tests/unit/with_texmap.sh
-trap 'cd /; umount "$work/out" 2> /dev/null; rm -rf "$work"' EXIT
+trap 'cd /; kill $report 2> /dev/null; umount "$work/out" 2> /dev/null; rm -rf "$work"' EXIT
 mkdir out || exit 1
 
 wall="--scene wall $small"
@@ -74,7 +74,9 @@ else
     echo 'SKIP a full disk: outputs stay as they were: no file system can be mounted here'
 fi
 
-# Each allocation of each command fails. Those before the last write no file.
+# Each allocation of each command fails. report takes some seconds: beside what follows.
+(cd "$top" && exec "$TEXMAP_BUILD/memory" report -o "$work/report") > /dev/full 2> report.log &
+report=$!
 while IFS= read -r command; do
     "$TEXMAP_BUILD/memory" $(echo "$command" | sed 's|OUT|out/new|') > log 2>&1 &&
         [ "$(state | wc -l)" -le 1 ] ||
@@ -86,9 +88,6 @@ $prints
 trace --stage 4 --triangles in.tri $small
 END
 result 'without memory each command says so'
-(cd "$top" && "$TEXMAP_BUILD/memory" report -o "$work/out/new") > /dev/full 2> log
-[ $? -eq 2 ] && [ -z "$(state)" ] || why="$(tail -n 9 log) left in out/: $(state)"
-result 'without memory report says so, and when it fails it leaves no folder'
 
 mesh='scene --scene mesh --size 1024x768 -o'
 texmap $mesh full.tri 2> /dev/null
@@ -111,7 +110,7 @@ texmap render --stage 3 --scene wall --size 800x600 -o b.ppm 2> /dev/null
 for round in 1 2 3 4 5 6 7 8 9 10; do
     texmap render --stage 3 --scene room -o out/new.ppm 2> /dev/null &
     texmap render --stage 3 --scene wall --size 800x600 -o out/new.ppm 2> /dev/null
-    wait
+    wait $!
     [ "$(ls -A out)" = new.ppm ] && { cmp -s out/new.ppm a.ppm || cmp -s out/new.ppm b.ppm; } ||
         why="round $round: $(ls -lA out)"
 done
@@ -141,3 +140,7 @@ wait $! && [ -p out/pipe.ppm ] || why='a pipe: another picture'
 texmap accuracy --stage 1 $wall --csv /dev/stdout > out/printed 2> log
 [ "$(grep -c '^stage[,1 ]' out/printed)" -eq 4 ] || why="standard output: $(cat log out/printed)"
 result 'devices, pipes and standard output are written at once'
+
+wait $report
+[ $? -eq 2 ] && [ ! -e report ] || why="$(tail -n 9 report.log) left: $(ls -d report)"
+result 'without memory report says so, and when it fails it leaves no folder'
