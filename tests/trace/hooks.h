@@ -37,15 +37,15 @@
                 (int)(v_16_16).step)
 #endif
 
-/* Stages 1 to 3: u and v are the texel. Stage 4: 16.16, with what rounds them, a half and a TIE. */
-#if TRACE_STAGE <= 3
-#define TRACE_PIXEL(pixel, at, z, u, v)                                                           \
-    TRACE_EVENT(PIXEL, pixel, TRACE_AT(at), z, (at).u_over_z * z, (at).v_over_z * z, u, v)
-#else
+/* u and v are the texel; in stage 4 16.16, with what rounds them, a half and a TIE. */
+#if TRACE_STAGE == 4
 #define TRACE_PIXEL(pixel, u, v)                                                                  \
     TRACE_EVENT(PIXEL, pixel, (int)(u - TEXEL_ONE / 2) / (double)TEXEL_ONE,                       \
                 (int)(v - TEXEL_ONE / 2) / (double)TEXEL_ONE, (int)u, (int)v, u >> 16 & u_mask,   \
                 (v >> v_shift & v_mask) >> (16 - v_shift))
+#else
+#define TRACE_PIXEL(pixel, at, z, u, v)                                                           \
+    TRACE_EVENT(PIXEL, pixel, TRACE_AT(at), z, (at).u_over_z * z, (at).v_over_z * z, u, v)
 #endif
 
 #endif

@@ -266,7 +266,7 @@ refused 'render --stage 1 --scene wall --size 8x8 -o out.ppm' --nosuch '--nosuch
     '--frame 99999999999999999999' '--frame 4294967296' '--texture nosuch' "--texture ''" \
     '--texture crate' '--texture missing.ppm' '--texture folder.ppm' '--texture text.ppm' \
     '--texture odd.ppm' '--texture short.ppm'
-refused 'render --scene wall --size 8x8 -o out.ppm --stage' 0 6 -1 "''" all stage1 "'1 '" \
+refused 'render --scene wall --size 8x8 -o out.ppm --stage' 0 9 -1 "''" all stage1 "'1 '" \
     segment_5 segment_16 nosuch "\"\$(printf '1\\n2')\""
 refused 'render --stage 1 --size 8x8 -o out.ppm --scene' nosuch "''" Wall all
 refused 'render --stage 1 --scene wall -o out.ppm --size' 0x5 5x0 5000x1 1x5000 4097x1 1x4097 10 \
