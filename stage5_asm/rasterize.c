@@ -195,6 +195,7 @@ static inline void draw_segment(uint32_t *pixels, int count, const struct image 
                                 struct queue *queue)
 {
     TRACE_SEGMENT(pixels, count, length, at);
+    __builtin_prefetch(pixels, 1); /* its cache line is there when the queue is drawn */
     *queue->next++ = (struct segment){at, length, pixels, count};
     if (queue->next == queue->segments + QUEUE_LENGTH)
         draw_queue(queue, texture, g);
