@@ -38,7 +38,7 @@ static inline void sort_two(const struct vertex **first, const struct vertex **s
     *second = swap ? a : b;
 }
 
-/* ceil(c), for |c| < 2^31: the cast truncates toward zero, which is below only what is positive. */
+/* ceil(c), |c| < 2^31. The cast truncates toward zero: 1 too low where c > 0 has a fraction. */
 static inline int ceil_to_int(real c) { return (int)c + ((real)(int)c < c); }
 
 /* A vertex in this stage's numbers. */
@@ -134,7 +134,7 @@ static inline void draw_span(struct image *frame, const struct image *texture,
     TRACE_SPAN(y, left, right, at, g->dx);
 
     for (int x = x_start; x < x_end; x++) {
-        /* Rounding can carry 1/z to 0. Not below its least, z <= 2^12: u and v fit an int. */
+        /* Rounding can carry 1/z to 0. Kept at a vertex's least, >= 2^-12: u and v fit an int. */
         const real z = 1 / max(at.one_over_z, g->one_over_z_min);
         const int u = (int)(at.u_over_z * z) & u_mask;
         const int v = (int)(at.v_over_z * z) & v_mask;

@@ -143,7 +143,7 @@ static inline void draw_span(struct image *frame, const struct image *texture,
     TRACE_SPAN(y, left, right, at, g->dx);
 
     for (int x = left->x; x < right->x; x++) {
-        /* Rounding can carry 1/z to 0. Not below its least, z <= 2^12: u and v fit an int. */
+        /* Rounding can carry 1/z to 0. Kept at a vertex's least, >= 2^-12: u and v fit an int. */
         const real z = 1 / max(at.one_over_z, g->one_over_z_min);
         const int u = (int)(at.u_over_z * z) & u_mask;
         const int v = (int)(at.v_over_z * z) & v_mask;

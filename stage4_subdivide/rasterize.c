@@ -40,7 +40,7 @@ static inline void sort_two(const struct vertex **first, const struct vertex **s
 
 #define SUBPIXEL_ONE 16 /* positions a pixel: 28.4 fixed point */
 
-/* floor(c), for |c| < 2^31: the cast truncates toward zero, which is above only what is < 0. */
+/* floor(c), |c| < 2^31. The cast truncates toward zero: 1 too high where c < 0 has a fraction. */
 static inline int floor_to_int(real c) { return (int)c - ((real)(int)c > c); }
 
 static inline int round_to_28_4(real c) { return floor_to_int(SUBPIXEL_ONE * c + 0.5); }
@@ -79,10 +79,10 @@ static inline struct range range_setup(float a, float b, float c, int size)
     if (hi < lo)
         lo = hi = hi == size - 1 ? hi : lo;
     return (struct range){max(lo - 0.5f + TEXEL_MARGIN, -TEXEL_MAX),
-                          min(hi + 0.5f - TEXEL_MARGIN, TEXEL_MAX)};
+                          min(hi + 0.5f - TEXEL_MARGIN, TEXEL_MAX)}; /* 2^15 apart at most */
 }
 
-/* How the interpolants change over the triangle; what u and v stay within there. */
+/* How the interpolants change over the triangle, and the range in which u and v stay. */
 struct gradients {
     double area; /* twice the triangle's; > 0: corner 1 is to the right of the edge 0-2 */
     struct interpolants dx, dy; /* change a pixel to the right, a pixel down */
@@ -95,7 +95,7 @@ struct gradients {
  *   df/dy = ((f2 - f0)(x1 - x0) - (f1 - f0)(x2 - x0)) / area
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
  * With x and y in sixteenths of a pixel both come out sixteen times too small. x1 y2 and the like
- * are up to 2^32 times the area, so that 1/z errs by less than 2^-13: it is never 0 within.
+ * are up to 2^32 times the area, so that 1/z, >= 2^-12, errs by less than 2^-13: it stays above 0.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
@@ -160,8 +160,8 @@ static inline void edge_step(struct edge *edge)
 
 /* What is added to a coordinate before its fraction is truncated. Where the coordinate rises along
  * the segment the texel is floor(c + 1/2), where it falls ceil(c - 1/2): so a span from -1/2 to
- * size - 1/2, or back, stays inside at the end that it draws. The odd TIE takes a c that should
- * lie on a border, and came out just short of it, for what it should be. */
+ * size - 1/2, or back, stays inside at the end that it draws. TIE corrects a c that should lie on
+ * a border, and came out just short of it. */
 static inline int rounding(bool rises) { return TEXEL_ONE / 2 + (rises ? TIE : -TIE); }
 
 static inline float clamp(float u, struct range r) { return min(max(u, r.low), r.high); }

@@ -274,7 +274,7 @@ coda_draw_rows:
         vcvtpd2dq xmm\i, ymm\i
         vmovdqa [rsi + R_UV + 16 * (\i - 2)], xmm\i
         .endr
-        vaddpd  ymm5, ymm5, ymm5        /* near = 2 error + 1, cut */
+        vaddpd  ymm5, ymm5, ymm5        /* near = 2 error + 1, truncated */
         vaddpd  ymm5, ymm5, ymm9
         vcvttpd2dq xmm5, ymm5
         vmovdqa [rsi + R_NEAR], xmm5

@@ -19,7 +19,7 @@ static double min3(double a, double b, double c) { return min(a, min(b, c)); }
 static double max3(double a, double b, double c) { return max(a, max(b, c)); }
 
 #define FLOOR_OFFSET (1 << 20)
-/* |value| < 2^20, a multiple of 2^-30: what is positive is cut downward. */
+/* |value| < 2^20, a multiple of 2^-30: the cast truncates what is positive. */
 static int floor_to_int(double value) { return (int)(value + FLOOR_OFFSET) - FLOOR_OFFSET; }
 
 /* The edge from a to b, the triangle on the side where the cross product is positive:
@@ -161,8 +161,8 @@ uint64_t coda_draw_box(const struct mapping *, const struct box *, uint32_t *pix
  *     1/2 + 1/2   u0 and step t become integers
  *     R/2^15      doubles, 64 2^-53 of R times the depth ratio; R: the triangle's range of u
  *     1/32        the exact answer goes up from 2^-21 texel below a border on
- * So u + error is never below what the exact answer cuts, u - error never above: where a border
- * lies between them the pixel is in doubt.
+ * So what the exact answer truncates lies between u - error and u + error: where a border does,
+ * too, the pixel is in doubt.
  *
  * An edge crosses row y at x = (inside(0, y) + 1/2) / dy; pixels from floor(x) + 1 on lie beyond.
  * The numerator is below 2^42, x at least 1/(2 dy) from an integer: double errs by 2^-10 / dy. */
@@ -252,7 +252,7 @@ static double triangle_setup(struct triangle *t, const struct image *texture,
     return fabs((double)area);
 }
 
-/* The first at c or beyond, a multiple of 2^-16 from -1/2 on. */
+/* The first pixel at c or beyond; c is a multiple of 2^-16, at least -1/2. */
 static int first_pixel(double c) { return (int)(c + (1 - 1.0 / GRID_ONE)); }
 
 /* Draws the triangle, as the stages do. */

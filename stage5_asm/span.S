@@ -37,18 +37,18 @@
         .set    G_ONE_OVER_Z_MIN, 56
         .set    G_RANGES, 60                    /* floats: u low, u high, v low, v high */
 
-/* The stack frame. */
+/* The stack frame. (Lines .cfi_... say to debuggers where saved registers lie.) */
         .set    F_DX, 0                         /* doubles, two equal: of 1/z, u/z, v/z */
         .set    F_ONE_OVER_Z_MIN, 48            /* floats, four equal */
         .set    F_RANGES, 64
-        .set    F_UNSEEN, 128                   /* 16 pixels */
-        .set    F_UNSEEN_ADDRESS, 192
+        .set    F_DUMMY, 128                    /* 16 pixels, for lanes that are done */
+        .set    F_DUMMY_ADDRESS, 192
         .set    F_LONGEST, 200                  /* the largest of four counts */
         .set    F_LEFT, 204                     /* segments, with those that are being drawn */
         .set    F_NEXT_LINES, 208
         .set    F_LINES, 224                    /* u, v, what a pixel adds to u, to v: 8 groups */
         .set    LINES_SIZE, 64
-        .set    F_SIZE, F_LINES + 8 * LINES_SIZE + 8    /* with a call and six pushes 16 n */
+        .set    F_SIZE, F_LINES + 8 * LINES_SIZE + 8    /* + 7 pushed: a multiple of 16 */
 
         .section .rodata
         .balign 16
@@ -181,14 +181,14 @@ stage5_draw_segments:
         imul    edx, eax
         movd    xmm13, edx                      /* v_mask = (height - 1) width */
         pshufd  xmm13, xmm13, 0
-        bsf     ecx, eax
+        bsf     ecx, eax                        /* log2(width) */
         mov     eax, 32
         sub     eax, ecx
         movd    xmm12, eax                      /* 32 - log2(width) */
         sub     eax, 16
         movd    xmm14, eax                      /* v_shift = 16 - log2(width) */
-        lea     rax, [rsp + F_UNSEEN]
-        mov     [rsp + F_UNSEEN_ADDRESS], rax
+        lea     rax, [rsp + F_DUMMY]
+        mov     [rsp + F_DUMMY_ADDRESS], rax
         mov     r10, rdi
         mov     ebx, esi
         lea     rdx, [rsp + F_LINES]
@@ -292,13 +292,13 @@ partial:
         mov     [rsp + F_LONGEST], eax
 1:      fetch
         cmp     esi, ebx
-        cmovge  r12, [rsp + F_UNSEEN_ADDRESS]
+        cmovge  r12, [rsp + F_DUMMY_ADDRESS]
         cmp     esi, ebp
-        cmovge  r13, [rsp + F_UNSEEN_ADDRESS]
+        cmovge  r13, [rsp + F_DUMMY_ADDRESS]
         cmp     esi, r11d
-        cmovge  r14, [rsp + F_UNSEEN_ADDRESS]
+        cmovge  r14, [rsp + F_DUMMY_ADDRESS]
         cmp     esi, edx
-        cmovge  r15, [rsp + F_UNSEEN_ADDRESS]
+        cmovge  r15, [rsp + F_DUMMY_ADDRESS]
         mov     [r12 + rsi * 4], ecx
         mov     [r13 + rsi * 4], eax
         mov     [r14 + rsi * 4], r10d

@@ -3,8 +3,8 @@
 BEGIN {
     FS = ","
     left = 60; bottom = 250; width = 640; height = 220
-    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"760\" height=\"290\"" \
-        " viewBox=\"0 0 760 290\" role=\"img\" aria-labelledby=\"title\">"
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"760\" height=\"296\"" \
+        " viewBox=\"0 0 760 296\" role=\"img\" aria-labelledby=\"title\">"
     print "<title id=\"title\">u along one segment: the exact curve, and stage 4's chord</title>"
     print "<style>text{font:14px system-ui,sans-serif;fill:#1f2328}.axis{stroke:#8c959f}" \
         ".exact{stroke:#0067a5;fill:none;stroke-width:2}.chord{stroke:#b94a00;fill:none;" \
@@ -36,8 +36,8 @@ END {
         y_of(u[16])
     printf "<path class=\"gap\" d=\"M%.1f %.1fV%.1f\"/>\n", x_of(most), y_of(u[most]),
         y_of(exact[most])
-    text(x_of(most) - 8, y_of((u[most] + exact[most]) / 2) + 10, \
-        sprintf("pixel %d: %.2f texels", most, u[most] - exact[most]), "end")
+    text(x_of(most) + 8, y_of(exact[most]) + 24, \
+        sprintf("pixel %d: %.2f texels", most, u[most] - exact[most]), "start")
     text(x_of(7), y_of(u[7]) - 12, "chord (stage 4)", "end")
     text(x_of(14) + 12, y_of(exact[13]) + 20, "exact u", "start")
     text(left - 8, bottom - height + 5, sprintf("%.0f", u[16]), "end")
