@@ -28,8 +28,10 @@ awk -v before="$before" -v after="$after" '
     /^(stage[1-5]_|coda|segment_)/ && $1 != before && $1 != after { next }
     shown || /^Times/ { shown = 1; print }' "$out/lesson.txt"
 
+echo
+echo "The room, 640x480:"
 "$texmap" diff --stages "$before,$after" --scene room -o "$out/lesson_$number.png" || exit 2
-echo "Where the room differs: $out/lesson_$number.png. Pixels that agree are dimmed; blue to red,"
+echo "Where it differs: $out/lesson_$number.png. Pixels that agree are dimmed; blue to red,"
 echo "1 to 32 texels apart or more; magenta, only $before drew it; white, only $after."
 
 # The source last: it is long. Coloured, and a page at a time, where somebody looks at it.

@@ -20,7 +20,7 @@ static void print_summary(FILE *out, const struct stability_case *row, const dou
             fprintf(out, "%s %s %s", separator, chosen->items[i]->name, verdict);
             separator = ",";
             if (!isnan(values[i])) {
-                fprintf(out, fabs(values[i]) < 1000 ? " %.3g" : " %.0f", values[i]);
+                fprintf(out, fabs(values[i]) < 1000 ? " (%.3g)" : " (%.0f)", values[i]);
             }
         }
     }

@@ -140,11 +140,11 @@ function explainEdge(run, { v, side, corners, points }, g) {
       "Integers take the edge there, and the gradients take 1/z, u/z and v/z from the corner to " +
       "the centre of the first pixel.",
     slope,
-    f`N = x0 dy + prestep dx + D \u2212 1 = ${x0} \u00b7 ${dy} + ${prestep} \u00b7 ${dx} + ` +
+    f`n = x0 dy + prestep dx + D \u2212 1 = ${x0} \u00b7 ${dy} + ${prestep} \u00b7 ${dx} + ` +
       f`${v.denominator} \u2212 1 = ${n}  (x0 counted from pixel ${first} on; ` +
       "D \u2212 1 makes the division a ceiling)",
-    f`x = ${first} + floor(N / D) = ${first} + floor(${n} / ${v.denominator}) = ${v.x}`,
-    f`error = N \u2212 ${v.x - first} D = ${v.error}`,
+    f`x = ${first} + floor(n / D) = ${first} + floor(${n} / ${v.denominator}) = ${v.x}`,
+    f`error = n \u2212 ${v.x - first} D = ${v.error}`,
     f`prestep_x = ${v.x} \u2212 ${top.x} = ${v.x - top.x},  prestep_y = ${prestep}/16 = ` +
       s(prestep / unit),
     "u/z = u0/z0 + prestep_x d(u/z)/dx + prestep_y d(u/z)/dy = " +

@@ -76,7 +76,7 @@ class Lanes extends Part {
   drawPixels(stored, { lane, pixel }) {
     const { segments } = this.recordings[this.state.recording];
     byId("lanes-pixels").replaceChildren(...segments.map(([x, y, count], own) => element("tr", {},
-      element("th", { scope: "row" }, `lane ${own}: ${x}, ${y}`),
+      element("th", { scope: "row" }, `lane ${own}: from ${x}, ${y}`),
       ...Array.from({ length: count }, (_, i) => element("td",
         { class: own === lane && i === pixel ? "stored now" : stored[own][i] ? "stored" : "" },
         (stored[own][i] || "").slice(1).split(" ")[0])))));

@@ -65,7 +65,7 @@ class Panels {
       if (STEPPED.includes(n)) {
         thumb.setAttribute("aria-pressed", String(n === state.stage));
       }
-      says.textContent = n === EXACT ? "what every stage is held against"
+      says.textContent = n === EXACT ? "what every stage is compared with"
         : n === 5 ? "stage 4's frame, bit for bit"
           : !result.errors || !list.length ? "" : verdict(result) +
             (n < 3 && result.largest === 1 ? ": truncated, off by one" : "");

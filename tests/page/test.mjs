@@ -171,9 +171,9 @@ const WORKED = [
   [2, 4, TRIANGLE, "Edge step: left edge to scanline 2: carry",
     "error: 9 + 3 = 12 \u2265 10: carry, error = 12 - 10 = 2", "error += edge->numerator"],
   [2, 4, TRIANGLE, "Edge step", "x = 2 + 0 + 1 = 3", "edge->x += edge->x_step + carry"],
-  [3, 1, HIGHER, "Edge setup", "N = x0 dy + prestep dx + D - 1 = 0 * 168 + 8 * 48 + 2688 - 1 = " +
+  [3, 1, HIGHER, "Edge setup", "n = x0 dy + prestep dx + D - 1 = 0 * 168 + 8 * 48 + 2688 - 1 = " +
     "3071  (x0 counted from pixel 2 on; D - 1 makes the division a ceiling)", "prestep_y * dx"],
-  [3, 1, HIGHER, "Edge setup", "x = 2 + floor(N / D) = 2 + floor(3071 / 2688) = 3", "floor_div(n,"],
+  [3, 1, HIGHER, "Edge setup", "x = 2 + floor(n / D) = 2 + floor(3071 / 2688) = 3", "floor_div(n,"],
   [1, 6, TRIANGLE, "Span: scanline 2", "first = ceil(2.3) = 3,  end = ceil(7) = 7", "ceil_to_int("],
   [3, 7, TRIANGLE, "Pixel: pixel 4, 2", "u rises: floor(2.0988 + 1/2) = 2", "1 / at.one_over_z"],
   [4, 6, TRIANGLE, "Segment", "u rises: floor(u + 1/2), in lo .. hi = floor(0 + 1/2) .. " +
