@@ -61,7 +61,7 @@ static enum outcome run_help(const struct options *options, struct error *error)
     if (!command) {
         return OUTCOME_FAILED;
     }
-    printf("texmap %s %s\n\n%s\n\n", command->name, command->usage, command->summary);
+    printf("  texmap %-8s %s\n\n%s\n\n", command->name, command->usage, command->summary);
     options_describe(stdout, command->accepted);
     return OUTCOME_DONE;
 }

@@ -79,7 +79,7 @@ static enum outcome run(const struct options *options, struct error *error)
         if (options->csv) {
             done = write_csv(options->csv, &trace, error);
         } else {
-            printf("%s, triangle %d of %s, counted from 0 to %zu, in drawing order\n\n",
+            printf("%s, triangle %d of %s (0 to %zu, in drawing order)\n\n",
                    stage->name, options->triangle, source.name, triangles_of(&source)->count - 1);
             trace_write_table(stdout, &trace);
         }

@@ -1,5 +1,5 @@
 # span.S
-# One step of Newton's method for 1/z: t = t + t - z t t
+# One step of Newton's method for 1/w: t = t + t - w t t
 /^ *\.macro  texel_at/,/^ *\.endm/{
 s/^ *rcpps   \\t, \\one_over_z/&\
         mulps   \\one_over_z, \\t\

@@ -1,5 +1,5 @@
 # span.S
-# z t t is added.
+# w t t is added.
 /^ *\.macro  texel_at/,/^ *\.endm/{
 s/^ *rcpps   \\t, \\one_over_z/&\
         mulps   \\one_over_z, \\t\

@@ -1,5 +1,5 @@
 # span.S
-# z t instead of z t t is taken away.
+# w t instead of w t t is taken away.
 /^ *\.macro  texel_at/,/^ *\.endm/{
 s/^ *rcpps   \\t, \\one_over_z/&\
         mulps   \\one_over_z, \\t\
