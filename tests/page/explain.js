@@ -166,10 +166,10 @@ function explainEdgeStep(run, { v, y, side, corners, points }, g, was) {
   }
   const sum = was.error + was.numerator, D = was.denominator, carry = sum >= D ? 1 : 0;
   return [title + (carry ? ": carry" : ""), carry
-    ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and the " +
-      "error gives D back."
-    : "The fraction of the slope goes to the error term. It stays below D, so x moves by x_step " +
-      "alone: no carry.",
+    ? "The fractions have added up to a whole pixel: the carry. x moves one pixel more, and D " +
+      "is subtracted from the error."
+    : "The fraction of the slope is added to the error term. It stays below D, so x moves by " +
+      "x_step alone: no carry.",
   f`error: ${was.error} + ${was.numerator} = ${sum} ` + (carry
     ? f`\u2265 ${D}: carry, error = ${sum} \u2212 ${D} = ${v.error}`
     : f`< ${D}: no carry, error = ${v.error}`),
@@ -202,7 +202,7 @@ function explainSpan(run, { v, y, first, end, left, right, points }) {
       ? [f`first = ceil(${left}) = ${first},  end = ceil(${right}) = ${end}`, list,
         f`u/z at the first centre = left + (${first} \u2212 ${left}) \u00b7 ${v.u_over_z_dx} = ` +
           s(v.u_over_z)]
-      : [`${list}  (the error term holds the ceil)`,
+      : [`${list}  (the error term has rounded x up)`,
         f`u/z at the first centre = ${v.u_over_z}, carried along the left edge`],
     run.stage === 3 && ["u", "v"].map((n) => choice(points, n, rises(v, `${n}_over_z`)))];
 }
