@@ -25,17 +25,17 @@ static double signed_distance(const struct plane *plane, const struct clip_verte
     return plane->a * v->x + plane->b * v->y + plane->c * v->w + plane->d;
 }
 
-static double hold(double value, double low, double high)
+static double clamp(double value, double low, double high)
 {
     return value < low ? low : value > high ? high : value;
 }
 
-/* from + t (to - from), held between the two, so that rounding never leaves their range. */
+/* from + t (to - from), clamped between the two, so that rounding never leaves their range. */
 static double between(double from, double to, double t)
 {
     double value = from + t * (to - from);
 
-    return from < to ? hold(value, from, to) : hold(value, to, from);
+    return from < to ? clamp(value, from, to) : clamp(value, to, from);
 }
 
 /* Where an edge meets the plane: t = d_inside / (d_inside - d_outside). Always from the inside end
@@ -80,16 +80,16 @@ static void clip_to_plane(struct polygon *polygon, const struct plane *plane)
 }
 
 /* The divide. Rounding may carry a cut vertex a little over the border that it was cut at, so
- * position and depth are held to what a stage is promised. */
+ * position and depth are clamped to what a stage is promised. */
 static struct vertex to_screen(const struct clip_vertex *v, const struct view *view)
 {
     float x = round_to_grid((float)(v->x / v->w));
     float y = round_to_grid((float)(v->y / v->w));
 
     return (struct vertex){
-        .x = (float)hold(x, -0.5, view->width - 0.5),
-        .y = (float)hold(y, -0.5, view->height - 0.5),
-        .z = (float)hold(v->w, DEPTH_MIN, DEPTH_MAX),
+        .x = (float)clamp(x, -0.5, view->width - 0.5),
+        .y = (float)clamp(y, -0.5, view->height - 0.5),
+        .z = (float)clamp(v->w, DEPTH_MIN, DEPTH_MAX),
         .u = (float)v->u,
         .v = (float)v->v,
     };

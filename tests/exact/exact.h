@@ -54,9 +54,8 @@ struct texel_range {
 };
 struct texel_range exact_own_range(double min, double max, int side);
 
-/* Draws the triangle as a stage does. The texel is floor(u + 1/2), floor(v + 1/2), repeated; held
- * to the texture's last where the triangle uses the texture once and u or v is exactly
- * side - 1/2, because the texel beyond that border is never right. */
+/* Draws the triangle as a stage does. The texel is floor(u + 1/2), floor(v + 1/2), clamped to the
+ * triangle's own, then repeated: beyond the border of a texture used once no texel is right. */
 void exact_draw_triangle(struct image *frame, const struct image *texture,
                          const struct vertex v[3]);
 
