@@ -68,14 +68,17 @@ struct gradients {
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
  * In a sliver the numerators are differences of nearly equal products, and float leaves nothing of
  * them: its gradients are 0. In all others |df/dx| (|x1| + |x2| + 64) < 2^33 for |f| <= 2^18, with
- * x1 for x1 - x0. So roundings, 2^-24 each, carry u/z less than 2^14 too far, and edges that float
- * leaves up to 2^-10 pixel beside their place less than 2^17: |u/z| < 1.6 2^18.
+ * x1 for x1 - x0. So roundings, 2^-24 each, carry u/z less than 2^16 too far, and edges that float
+ * leaves up to 2^-10 pixel beside their place less than 2^17: |u/z| < 1.75 2^18.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {
     const double x1 = (double)c[1].x - c[0].x, y1 = (double)c[1].y - c[0].y;
     const double x2 = (double)c[2].x - c[0].x, y2 = (double)c[2].y - c[0].y;
-    g->area = x1 * y2 - x2 * y1;
+    /* x1 y2 and x2 y1 have up to 56 bits: as doubles they can be the same where pixels still lie
+     * between the edges. With x1 and x2 in two parts nothing is lost where they are close. */
+    const float x1_high = x1, x2_high = x2;
+    g->area = x1_high * y2 - x2_high * y1 + ((x1 - x1_high) * y2 - (x2 - x2_high) * y1);
     if (g->area == 0)
         return false;
     const bool sliver = 16384 * fabs(g->area) <= (fabs(x1) + fabs(x2) + 64) * y2;

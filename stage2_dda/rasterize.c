@@ -75,8 +75,8 @@ struct gradients {
  *   area  =  (x1 - x0)(y2 - y0) - (x2 - x0)(y1 - y0)
  * In a sliver the numerators are differences of nearly equal products, and float leaves nothing of
  * them: its gradients are 0. In all others |df/dx| (|x1| + |x2| + 64) < 2^33 for |f| <= 2^18, with
- * x1 for x1 - x0. So roundings, 2^-24 each, carry u/z less than 2^14 too far, and edges that float
- * leaves up to 2^-10 pixel beside their place less than 2^17: |u/z| < 1.6 2^18.
+ * x1 for x1 - x0. So roundings, 2^-24 each, carry u/z less than 2^16 too far, and edges that float
+ * leaves up to 2^-10 pixel beside their place less than 2^17: |u/z| < 1.75 2^18.
  * False where the area is 0: there is nothing to draw, and nothing to divide by. */
 static inline bool gradients_setup(struct gradients *g, const struct corner c[3])
 {

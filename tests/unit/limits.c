@@ -144,6 +144,37 @@ static void test_positions(struct judge *judge)
     triangle_list_destroy(&list);
 }
 
+#define SIDE 2088
+#define EDGE (SIDE - 0.5f)
+
+/* A mesh around a triangle ABC 2946 pixels long, whose area is 2^-32: a double would round
+ * (x1 - x0)(y2 - y0) and (x2 - x0)(y1 - y0) to the same. In float its edges leave pixels between
+ * them, which its neighbours do not draw. */
+static void test_narrow(struct judge *judge)
+{
+    enum { A, B, C, TOP_LEFT, TOP_RIGHT, BOTTOM_RIGHT, BOTTOM_LEFT, COUNT };
+    static const float at[COUNT][2] = {
+        [A] = {2083.99268f, 45 * STEP}, [B] = {655.491211f, 1428.5105f},
+        [C] = {-21 * STEP, 2084.00586f}, [TOP_LEFT] = {-0.5f, -0.5f}, [TOP_RIGHT] = {EDGE, -0.5f},
+        [BOTTOM_RIGHT] = {EDGE, EDGE}, [BOTTOM_LEFT] = {-0.5f, EDGE}};
+    static const int mesh[][3] = {{A, B, C}, {TOP_LEFT, A, B}, {TOP_LEFT, B, C},
+                                  {TOP_LEFT, TOP_RIGHT, A}, {TOP_LEFT, C, BOTTOM_LEFT},
+                                  {TOP_RIGHT, BOTTOM_RIGHT, A}, {A, BOTTOM_RIGHT, C},
+                                  {C, BOTTOM_RIGHT, BOTTOM_LEFT}};
+    struct judge_case one = {.width = SIDE, .height = SIDE, .texture_width = 1,
+                             .texture_height = 1, .shared = true,
+                             .count = sizeof mesh / sizeof mesh[0]};
+    char text[JUDGE_TEXT] = "";
+
+    for (int i = 0; i < one.count; i++) {
+        for (int k = 0; k < 3; k++) {
+            one.v[i][k] = (struct vertex){at[mesh[i][k]][0], at[mesh[i][k]][1], 1, 0, 0};
+        }
+    }
+    check(judge_stages(judge, &one, text),
+          "a triangle whose area takes more than 53 bits: no pixel is left out", "%s", text);
+}
+
 void test_limits(void)
 {
     struct judge judge;
@@ -152,6 +183,7 @@ void test_limits(void)
         test_inside(&judge);
         test_centres(&judge);
         test_positions(&judge);
+        test_narrow(&judge);
     }
     judge_destroy(&judge);
 }
