@@ -19,7 +19,8 @@ static double min3(double a, double b, double c) { return min(a, min(b, c)); }
 static double max3(double a, double b, double c) { return max(a, max(b, c)); }
 
 #define FLOOR_OFFSET (1 << 20)
-/* |value| < 2^20, a multiple of 2^-30: the cast truncates what is positive. */
+/* |value| < 2^20: the cast truncates what is positive. Near a whole number value is a multiple of
+ * 2^-30, and the sum exact. */
 static int floor_to_int(double value) { return (int)(value + FLOOR_OFFSET) - FLOOR_OFFSET; }
 
 /* The edge from a to b, the triangle on the side where the cross product is positive:
@@ -86,13 +87,13 @@ struct triangle {
 
 /* Each vertex counts by its weight and its 1/z:  u = sum(w u / z) / sum(w / z).
  * The same operations as in tests/exact, so that the last bit is the same. */
-static void draw_exactly(const struct triangle *t, uint32_t *pixel, int x, int y)
+static void draw_exactly(const struct triangle *t, int x, int y)
 {
     double one_over_z = 0, u_over_z = 0, v_over_z = 0;
     for (int i = 0; i < 3; i++) {
         const int64_t w = weight(&t->edges[i], x, y);
         if (w < t->edges[i].least)
-            return; /* the assembly's vectors reach beyond the triangle */
+            return; /* the assembly's vectors reach beyond the triangle, and the frame */
         const double share = (double)w * t->one_over_z[i];
         one_over_z += share;
         u_over_z += share * t->u.at[i];
@@ -100,7 +101,7 @@ static void draw_exactly(const struct triangle *t, uint32_t *pixel, int x, int y
     }
     const int u = nearest_texel(&t->u, u_over_z / one_over_z);
     const int v = nearest_texel(&t->v, v_over_z / one_over_z);
-    *pixel = t->mapping.texels[v * (t->u.mask + 1) + u];
+    t->frame->pixels[y * t->frame->stride + x] = t->mapping.texels[v * (t->u.mask + 1) + u];
 }
 
 /* 1/z, u/z and v/z are linear on the screen. Divided by vertex 0's 1/z, and with u and v counted
@@ -197,9 +198,8 @@ static void draw_rows(const struct triangle *t, const struct plane *p, int colum
         const struct doubt *doubts_end = coda_draw_rows(&t->mapping, &r, doubts);
         for (const struct doubt *d = doubts; d < doubts_end; d++)
             for (uint32_t bits = d->mask; bits; bits &= bits - 1) {
-                uint32_t *pixel = d->pixels + __builtin_ctz(bits);
-                const int i = (int)(pixel - t->frame->pixels);
-                draw_exactly(t, pixel, i % t->frame->stride, i / t->frame->stride);
+                const int i = (int)(d->pixels - t->frame->pixels) + __builtin_ctz(bits);
+                draw_exactly(t, i % t->frame->stride, i / t->frame->stride);
             }
     }
 }
@@ -224,8 +224,8 @@ static void draw_box(const struct triangle *t, const struct plane *p, struct box
     b->near = 2 * error;
     uint64_t bits = coda_draw_box(&t->mapping, b, pixels, t->frame->stride);
     for (; bits; bits &= bits - 1) {
-        const int i = __builtin_ctzll(bits), row = i / b->columns, column = i % b->columns;
-        draw_exactly(t, &pixels[row * t->frame->stride + column], x + column, y + row);
+        const int i = __builtin_ctzll(bits);
+        draw_exactly(t, x + i % b->columns, y + i / b->columns);
     }
 }
 

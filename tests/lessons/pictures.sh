@@ -52,7 +52,7 @@ keep "$build/chord.svg" stage4_subdivide/chord.svg
 if "$texmap" help 2>&1 | grep -q 'left out'; then
     echo 'SKIP stage5_asm/doubts.png is what texmap draws: the coda does not run here'
 else
-    sed 's/\*pixel = .*/*pixel = 0xFF000000;/' stage5_asm/coda.c > "$build/doubts.c" &&
+    sed 's/= t->mapping.texels.*/= 0xFF000000;/' stage5_asm/coda.c > "$build/doubts.c" &&
         $(cat "$build/flags") -w -o "$build/doubts" "$build/doubts.c" \
             "$build/tests/program/texmap_main.o" "$build/texmap.a" -lm || exit 2
     texmap=$build/doubts size=232x174
