@@ -46,10 +46,11 @@ static int shown(const struct image *frame, int x, int y)
     return pixel == 0 ? -1 : (int)(pixel >> 8 & 0xFFFF);
 }
 
-/* Does the exact coordinate lie in its texel, the border included? Here nothing repeats. */
+/* Does the exact coordinate lie in its texel, or so little below that it counts as on the border?
+ * Here nothing repeats. */
 static bool is_inside(double exact, double texel)
 {
-    return fabs(exact - texel) <= 0.5 + 1e-9;
+    return fabs(exact - texel) <= 0.5 + EXACT_TIE + 1e-9;
 }
 
 /* What is wrong with one pixel: its texel is that of the frame, the exact one that of the exact
