@@ -44,7 +44,7 @@
         .set    F_DUMMY, 128                    /* 16 pixels, for lanes that are done */
         .set    F_DUMMY_ADDRESS, 192
         .set    F_LONGEST, 200                  /* the largest of four counts */
-        .set    F_LEFT, 204                     /* segments, with those that are being drawn */
+        .set    F_LEFT, 204                     /* segments not drawn yet, or being drawn */
         .set    F_NEXT_LINES, 208
         .set    F_LINES, 224                    /* u, v, what a pixel adds to u, to v: 8 groups */
         .set    LINES_SIZE, 64
