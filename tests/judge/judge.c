@@ -170,7 +170,9 @@ static void trial_setup(struct trial *t, const struct stage *stage, const struct
                           ((double)r[2].x - r[0].x) * ((double)r[1].y - r[0].y));
 
     t->area = exact_setup(&t->exact, r);
-    doubled = t->area ? doubled : DBL_MIN; /* nothing is drawn */
+    /* A double may have rounded it to 0; its least is one step of the grid, squared. Or nothing is
+     * drawn. */
+    doubled = t->area ? fmax(doubled, 0x1p-32) : DBL_MIN;
     t->u = axis_setup(v[0].u, v[1].u, v[2].u, texture->width);
     t->v_axis = axis_setup(v[0].v, v[1].v, v[2].v, texture->height);
     t->roundings = 16 * extent * extent / doubled + (extent + 16) * (1 + 2 * extent / doubled);
