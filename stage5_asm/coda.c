@@ -69,7 +69,7 @@ static void axis_setup(struct axis *axis, double a, double b, double c, int side
 /* floor(c + 1/2), moved up by far more than the error of c: on a border all pixels go up. */
 static int nearest_texel(const struct axis *a, double c)
 {
-    const int texel = (int)floor(c + (0.5 + 1.0 / 2097152));
+    const int texel = (int)floor(c + (0.5 + 3.37e-7));
     return (texel < a->lowest ? a->lowest : texel > a->highest ? a->highest : texel) & a->mask;
 }
 
@@ -161,7 +161,7 @@ uint64_t coda_draw_box(const struct mapping *, const struct box *, uint32_t *pix
  *     5/256 D     floats: step, d, 1 + q d, t, step t; D = |u - u0| <= |step| q in texels
  *     1/2 + 1/2   u0 and step t become integers
  *     R/2^15      doubles, 64 2^-53 of R times the depth ratio; R: the triangle's range of u
- *     1/32        the exact answer goes up from 2^-21 texel below a border on
+ *     1/32        the exact answer goes up from 3.37e-7 texel below a border on
  * So what the exact answer truncates lies between u - error and u + error: where a border does,
  * too, the pixel is in doubt.
  *

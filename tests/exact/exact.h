@@ -10,7 +10,9 @@
 #include "common/vertex.h"
 
 #define EXACT_SUBPIXEL_ONE 65536 /* grid positions a pixel: vertices lie on multiples of 2^-16 */
-#define EXACT_TIE (1.0 / 2097152) /* texel, 2^-21: borders go up */
+/* Texels: a coordinate so little below a border goes up, as one on it. Not 2^-21, one step of a
+ * float between 4 and 8: a coordinate just that far below would go either way. */
+#define EXACT_TIE 3.37e-7
 #define EXACT_POSITION_MAX 8192  /* |x|, |y| in pixels, so that every edge function fits 64 bits */
 
 /* One triangle, ready to be asked about its pixels. At pixel (x, y) the edge function of the edge

@@ -144,6 +144,25 @@ static void test_positions(struct judge *judge)
     triangle_list_destroy(&list);
 }
 
+/* At pixel (14, 6) v lies 2^-21, one step of a float, below a border: in whatever order vertices are
+ * added up, the exact answer and the coda must take the same texel. */
+static void test_just_below(struct judge *judge)
+{
+    const struct vertex v[3] = {{7.99987793f, 2.99987793f, 16, 3.50024366f, 3.99993849f},
+                                {7.99987793f, 10.4318848f, 16, 3.50000715f, 7.71594191f},
+                                {16, 5.57769775f, 16, 3.50054884f, 5.2888484f}};
+    const struct image texture = judge_texture(judge, 64, 64);
+    char text[JUDGE_TEXT] = "no memory";
+    bool holds = judge_open(judge, 17, 11);
+
+    for (const struct stage *stage = stages; stage->name; stage++) {
+        for (int order = 0; holds && order < 6; order++) {
+            holds = judge_triangle(judge, stage, v, &texture, order, text);
+        }
+    }
+    check(holds, "one step of a float below a border, in every order", "%s", text);
+}
+
 #define SIDE 2088
 #define EDGE (SIDE - 0.5f)
 
@@ -183,6 +202,7 @@ void test_limits(void)
         test_inside(&judge);
         test_centres(&judge);
         test_positions(&judge);
+        test_just_below(&judge);
         test_narrow(&judge);
     }
     judge_destroy(&judge);
