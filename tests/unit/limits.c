@@ -144,8 +144,8 @@ static void test_positions(struct judge *judge)
     triangle_list_destroy(&list);
 }
 
-/* At pixel (14, 6) v lies 2^-21, one step of a float, below a border: in whatever order vertices are
- * added up, the exact answer and the coda must take the same texel. */
+/* At pixel (14, 6) v lies 2^-21, one step of a float, below a border: in whatever order the
+ * vertices are added up, the exact answer and the coda must take the same texel. */
 static void test_just_below(struct judge *judge)
 {
     const struct vertex v[3] = {{7.99987793f, 2.99987793f, 16, 3.50024366f, 3.99993849f},
