@@ -14,8 +14,10 @@ rows() { grep -v '^#' "$1" | sed 1d | cut -d , -f 1,2; }
 # every FILE CONDITION: holds for every row, in awk's words.
 every() { rows "$1" | grep -q . && awk -F , "!/^#/ && !/^stage,/ && !($2)" "$1" | cmp - /dev/null; }
 
+# On a busy machine a second may not be enough for the accuracy of all.
+[ "${TEXMAP_BUSY-}" ] && seconds=5 || seconds=1
 test_that 'bench writes a CSV file' eval \
-    'texmap bench $small --seconds 1 --csv a.csv > table.txt 2> said.txt'
+    'texmap bench $small --seconds $seconds --csv a.csv > table.txt 2> said.txt'
 test_that 'each column has its place and name' grep -qx $columns a.csv
 test_that 'the comments on top say where the numbers are from' eval \
     '[ "$(sed -n "1,6s/^# \([a-z]*\): .*/\1/p" a.csv | tr "\n" " ")" = \
