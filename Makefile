@@ -153,7 +153,7 @@ $(BUILD)/page.o: $(BUILD)/page.c $(BUILD)/flags
 	$(compile)
 
 # What `texmap bench` says it was built with.
-$(BUILD)/tests/bench/machine.o: private KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
+$(BUILD)/tests/bench/machine.o: private override KEPT += '-DTEXMAP_FLAGS="$(CFLAGS) -std=c11 -ffp-contract=off"'
 
 # What compiles a file here. It changes when the compiler or its flags do, so that nothing built with
 # others is kept; and scripts that compile read it.
